@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A word is mostly one letter and a number, so the lexer looks at the first character of each and
+// knows what to read. Everything outside ASCII takes the slow path in look(): blanks that editors
+// smuggle in, Cyrillic look-alikes, the typographic minus.
+#include "lang/dgt/lexer.h"
+
+#include <array>
+
+#include "lang/text/encoding.h"
+
+namespace dgt {
+namespace {
+
+constexpr std::string_view kLetters = "ABCDFGIKLMNOPRSTUVWXYZ";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_language_letter(char c) { return kLetters.find(c) != std::string_view::npos; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+struct LookAlike {
+  char32_t cyrillic;
+  char latin;
+};
+
+// Capitals whose shape is a Latin letter's; their small forms are taken for the same letters.
+constexpr std::array kLookAlikes = {
+    LookAlike{U'А', 'A'}, LookAlike{U'В', 'B'}, LookAlike{U'С', 'C'}, LookAlike{U'Е', 'E'},
+    LookAlike{U'К', 'K'}, LookAlike{U'М', 'M'}, LookAlike{U'Н', 'H'}, LookAlike{U'О', 'O'},
+    LookAlike{U'Р', 'P'}, LookAlike{U'Т', 'T'}, LookAlike{U'У', 'Y'}, LookAlike{U'Х', 'X'},
+    LookAlike{U'І', 'I'}, LookAlike{U'Ѕ', 'S'}, LookAlike{U'Ј', 'J'}};
+
+char latin_for(char32_t c) {
+  if (c >= U'а' && c <= U'я') c -= U'а' - U'А';
+  if (c >= U'ѐ' && c <= U'џ') c -= U'ѐ' - U'Ѐ';
+  for (const LookAlike& pair : kLookAlikes) {
+    if (pair.cyrillic == c) return pair.latin;
+  }
+  return '\0';
+}
+
+bool is_wide_blank(char32_t c) { return c == 0xA0 || c == 0x2007 || c == 0x202F || c == 0xFEFF; }
+
+}  // namespace
+
+// A character as the language reads it.
+struct Lexer::Character {
+  char latin = 0;  // upper-case letter or other ASCII, 0 for what the language does not know
+  std::uint32_t size = 0;
+  bool foreign = false;  // written otherwise than it is read
+};
+
+Lexer::Lexer(const SourceFile& file, DiagnosticBag& bag)
+    : file_(file), text_(file.text()), bag_(bag) {}
+
+bool Lexer::next_line(Line& line) {
+  if (line_number_ == file_.line_count()) return false;
+  ++line_number_;
+  line_ = &line;
+  line.words.clear();
+  line.broken = false;
+  at_ = file_.line_start(line_number_);
+  end_ = at_ + static_cast<std::uint32_t>(file_.line_text(line_number_).size());
+  line.range = {&file_, at_, end_};
+  counted_to_ = at_;
+  counted_columns_ = 1;
+  in_quotes_ = false;
+  for (at_ = skip_blanks(at_); at_ < end_; at_ = skip_blanks(at_)) read_word();
+  if (in_quotes_) close_open_quote();
+  return true;
+}
+
+Lexer::Character Lexer::look(std::uint32_t at) const {
+  if (at >= end_) return {};
+  const char c = text_[at];
+  if (static_cast<unsigned char>(c) < 0x80) return {upper(c), 1, false};
+  const CodePoint wide = code_point_at(text_, at);
+  if (is_wide_blank(wide.value)) return {' ', wide.size, true};
+  if (wide.value == 0x2212 || wide.value == 0x2013) return {'-', wide.size, true};
+  return {latin_for(wide.value), wide.size, true};
+}
+
+std::uint32_t Lexer::skip_blanks(std::uint32_t at) const {
+  while (at < end_) {
+    const char c = text_[at];
+    if (c == ' ' || c == '\t' || c == '\v' || c == '\f') {
+      ++at;
+    } else if (static_cast<unsigned char>(c) >= 0x80 && look(at).latin == ' ') {
+      at += look(at).size;
+    } else {
+      break;
+    }
+  }
+  return at;
+}
+
+std::uint32_t Lexer::column_of(std::uint32_t offset) {
+  counted_columns_ += count_code_points(text_.substr(counted_to_, offset - counted_to_));
+  counted_to_ = offset;
+  return counted_columns_;
+}
+
+Word& Lexer::push(WordKind kind, std::uint32_t begin) {
+  Word& word = line_->words.emplace_back();
+  word.kind = kind;
+  word.line = line_number_;
+  word.column = column_of(begin);
+  word.range = from(begin);
+  word.number_begin = at_;
+  return word;
+}
+
+void Lexer::fail(Message message, Range range, std::vector<std::string> arguments) {
+  line_->broken = true;
+  bag_.add({message, range, std::move(arguments)});
+}
+
+void Lexer::report_look_alike(std::uint32_t begin, std::string_view latin) {
+  const Range range = from(begin);
+  bag_.add({Message::LookAlike,
+            range,
+            {std::string(range.text()), std::string(latin)},
+            {},
+            FixIt{range, std::string(latin)}});
+}
+
+void Lexer::read_word() {
+  const std::uint32_t begin = at_;
+  const Character c = look(at_);
+  if (c.latin >= 'A' && c.latin <= 'Z') {
+    if (!read_keyword()) read_letter(c);
+    return;
+  }
+  if (is_digit(c.latin) || (c.latin == '.' && is_digit(byte(at_ + 1)))) {
+    read_decimal(push(WordKind::Number, begin));
+    return;
+  }
+  switch (c.latin) {
+    case ',':
+      ++at_;
+      push(WordKind::Comma, begin);
+      return;
+    case '=':
+      ++at_;
+      push(WordKind::Equals, begin);
+      return;
+    case '+':
+    case '-':
+    case '*':
+    case '/':
+      at_ += c.size;
+      if (c.foreign) report_look_alike(begin, "-");
+      push(WordKind::Operator, begin).letter = c.latin;
+      return;
+    case '"':
+      read_quote();
+      return;
+    case '\'':
+      read_comment();
+      return;
+    default:
+      report_unknown_characters();
+  }
+}
+
+bool Lexer::read_keyword() {
+  struct Keyword {
+    std::string_view text;
+    WordKind kind;
+  };
+  static constexpr std::array kKeywords = {
+      Keyword{"FOR", WordKind::For}, Keyword{"NEXT", WordKind::Next}, Keyword{"MAC", WordKind::Mac},
+      Keyword{"OPR", WordKind::Opr}};
+  for (const Keyword& keyword : kKeywords) {
+    std::uint32_t at = at_;
+    bool foreign = false;
+    std::size_t matched = 0;
+    for (; matched < keyword.text.size(); ++matched) {
+      const Character c = look(at);
+      if (c.latin != keyword.text[matched]) break;
+      foreign = foreign || c.foreign;
+      at += c.size;
+    }
+    if (matched < keyword.text.size()) continue;
+    const std::uint32_t begin = at_;
+    at_ = at;
+    if (foreign) report_look_alike(begin, keyword.text);
+    push(keyword.kind, begin);
+    if (keyword.kind == WordKind::Mac || keyword.kind == WordKind::Opr) read_name();
+    return true;
+  }
+  return false;
+}
+
+// A file name ends at a blank, at a comment or with the line.
+void Lexer::read_name() {
+  at_ = skip_blanks(at_);
+  const std::uint32_t begin = at_;
+  while (at_ < end_ && text_[at_] != '\'' && skip_blanks(at_) == at_) ++at_;
+  if (at_ > begin) push(WordKind::Name, begin);
+}
+
+void Lexer::read_letter(const Character& letter) {
+  const std::uint32_t begin = at_;
+  at_ += letter.size;
+  if (!is_language_letter(letter.latin)) {
+    fail(Message::UnknownLetter, from(begin), {std::string(from(begin).text())});
+    at_ = skip_blanks(at_);
+    Word ignored;  // its number goes with it
+    read_sign_and_number(ignored);
+    return;
+  }
+  if (letter.foreign) report_look_alike(begin, std::string_view(&letter.latin, 1));
+  Word& word = push(WordKind::Letter, begin);
+  word.letter = letter.latin;
+
+  const std::uint32_t next = skip_blanks(at_);
+  const char after = byte(next);
+  if ((letter.latin == 'X' || letter.latin == 'Y') && (after == '>' || after == '<')) {
+    at_ = next + 1;
+    word.kind = WordKind::Selector;
+    word.digits = (after == '>' ? 3 : 5) + (letter.latin == 'Y' ? 1 : 0);
+  } else {
+    read_sign_and_number(word);
+  }
+  word.range.end = at_;
+}
+
+// What may follow a letter: a sign, then digits or a variable. Without a number nothing is taken,
+// not even the sign.
+void Lexer::read_sign_and_number(Word& word) {
+  const std::uint32_t sign_at = skip_blanks(at_);
+  const Character sign = look(sign_at);
+  const bool has_sign = sign.latin == '-' || sign.latin == '+';
+  const std::uint32_t number_at = has_sign ? skip_blanks(sign_at + sign.size) : sign_at;
+  const char first = byte(number_at);
+  std::uint32_t digits_at = number_at;
+  NumberForm form = NumberForm::None;
+  if (is_digit(first) || (first == '.' && is_digit(byte(number_at + 1)))) {
+    form = NumberForm::Decimal;
+  } else if (upper(first) == 'N') {
+    digits_at = skip_blanks(number_at + 1);
+    if (is_digit(byte(digits_at))) form = NumberForm::Variable;
+  }
+  word.number_begin = at_;
+  if (form == NumberForm::None) return;
+  if (has_sign && sign.foreign) {
+    at_ = sign_at + sign.size;
+    report_look_alike(sign_at, "-");
+  }
+  word.minus = sign.latin == '-';
+  at_ = digits_at;
+  read_decimal(word);
+  word.form = form;
+  word.number_begin = number_at;
+  if (form == NumberForm::Variable && (word.scale > 0 || word.digits < 1 || word.digits > 30)) {
+    fail(Message::NoSuchVariable, from(number_at), {std::string(from(number_at).text())});
+    word.digits = 1;
+  }
+}
+
+// Digits with at most one point, at least one digit; `at_` stands on the first of them.
+void Lexer::read_decimal(Word& word) {
+  const std::uint32_t begin = at_;
+  std::uint64_t value = 0;
+  std::uint32_t count = 0;
+  std::uint32_t scale = 0;
+  bool point = false;
+  for (; at_ < end_; ++at_) {
+    const char c = text_[at_];
+    if (is_digit(c)) {
+      value = value * 10 + static_cast<std::uint64_t>(c - '0');  // meaningless past 18 digits
+      ++count;
+      if (point) ++scale;
+    } else if (c == '.' && !point) {
+      point = true;
+    } else {
+      break;
+    }
+  }
+  word.form = NumberForm::Decimal;
+  word.scale = scale;
+  word.digits = count <= Word::kMaxPlainDigits ? static_cast<std::int64_t>(value) : -1;
+  word.number_begin = begin;
+  word.range.end = at_;
+  if (count > kMaxDigits) {
+    fail(Message::NumberTooLong, from(begin), {std::to_string(count), std::to_string(kMaxDigits)});
+    word.digits = 1;
+  }
+}
+
+void Lexer::read_quote() {
+  const std::uint32_t begin = at_++;
+  push(in_quotes_ ? WordKind::QuoteClose : WordKind::QuoteOpen, begin);
+  in_quotes_ = !in_quotes_;
+}
+
+void Lexer::close_open_quote() {
+  Range open = line_->range;
+  for (const Word& word : line_->words) {
+    if (word.is(WordKind::QuoteOpen)) open = word.range;
+  }
+  fail(Message::UnclosedText, open, {});
+}
+
+// Runs to the end of the line; `'@` begins a directive to the compiler.
+void Lexer::read_comment() {
+  const std::uint32_t begin = at_;
+  const bool directive = byte(at_ + 1) == '@';
+  at_ = end_;
+  if (!directive) return;
+  push(WordKind::Directive, begin).number_begin = begin + 2;
+}
+
+// One report for a whole run of them, since they come in words.
+void Lexer::report_unknown_characters() {
+  const std::uint32_t begin = at_;
+  bool undecodable = false;
+  do {
+    const CodePoint c = code_point_at(text_, at_);
+    undecodable = undecodable || c.value == kReplacementCharacter;
+    at_ += c.size;
+  } while (at_ < end_ && static_cast<unsigned char>(text_[at_]) >= 0x80 && look(at_).latin == 0);
+  if (undecodable) {
+    fail(Message::UndecodableText, from(begin), {});
+  } else {
+    fail(Message::UnknownCharacter, from(begin), {std::string(from(begin).text())});
+  }
+}
+
+}  // namespace dgt

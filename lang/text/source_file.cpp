@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lang/text/source_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "kernel/check.h"
+#include "lang/text/encoding.h"
+
+namespace dgt {
+namespace {
+
+std::vector<std::uint32_t> find_line_starts(std::string_view text) {
+  std::vector<std::uint32_t> starts{0};
+  for (std::size_t i = text.find_first_of("\r\n"); i < text.size();
+       i = text.find_first_of("\r\n", i)) {
+    i += text.substr(i).starts_with("\r\n") ? 2 : 1;
+    if (i < text.size()) starts.push_back(static_cast<std::uint32_t>(i));
+  }
+  return starts;
+}
+
+}  // namespace
+
+SourceFile::SourceFile(std::string name, std::string_view bytes)
+    : name_(std::move(name)), text_(decode(bytes)) {
+  DGT_CHECK(text_.size() < std::numeric_limits<std::uint32_t>::max());
+  line_starts_ = find_line_starts(text_);
+}
+
+std::string_view SourceFile::line_text(std::uint32_t line) const {
+  const std::size_t begin = line_starts_[line - 1];
+  const std::size_t end = line < line_count() ? line_starts_[line] : text_.size();
+  std::string_view text = text_;
+  text = text.substr(begin, end - begin);
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::uint32_t SourceFile::line_at(std::uint32_t offset) const {
+  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  return static_cast<std::uint32_t>(after - line_starts_.begin());
+}
+
+Place Range::place() const {
+  const std::uint32_t line = file->line_at(begin);
+  const std::string_view text = file->line_text(line);
+  const std::size_t from = std::min<std::size_t>(begin - file->line_start(line), text.size());
+  const std::size_t to = std::min<std::size_t>(end - file->line_start(line), text.size());
+  return {line, count_code_points(text.substr(0, from)) + 1,
+          count_code_points(text.substr(from, to - from))};
+}
+
+}  // namespace dgt

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dgt {
+
+/// What a person calls a spot in a file. Lines and columns count from 1, columns and lengths in
+/// code points.
+struct Place {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+  std::uint32_t length = 0;
+
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// A source file in memory: its name as the user knows it, its text, its lines. LF, CRLF and CR end
+/// a line. Ranges point into it, so it stays where it is.
+class SourceFile {
+ public:
+  /// `bytes` as read from disk; decoded here. At most 4 GiB (checked).
+  SourceFile(std::string name, std::string_view bytes);
+  SourceFile(const SourceFile&) = delete;
+  SourceFile& operator=(const SourceFile&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::string_view text() const { return text_; }
+  /// At least 1; a line end at the end of the file opens no further line.
+  [[nodiscard]] std::uint32_t line_count() const {
+    return static_cast<std::uint32_t>(line_starts_.size());
+  }
+  /// The text of line `line` (from 1) without its end.
+  [[nodiscard]] std::string_view line_text(std::uint32_t line) const;
+  /// Where line `line` (from 1) begins, as a byte offset into `text()`.
+  [[nodiscard]] std::uint32_t line_start(std::uint32_t line) const {
+    return line_starts_[line - 1];
+  }
+  /// The line that holds the byte offset.
+  [[nodiscard]] std::uint32_t line_at(std::uint32_t offset) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::vector<std::uint32_t> line_starts_;
+};
+
+/// Bytes `begin` to `end` of a file's text. The file must outlive the range.
+struct Range {
+  const SourceFile* file = nullptr;
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+
+  [[nodiscard]] std::string_view text() const { return file->text().substr(begin, end - begin); }
+  /// Line and column of the beginning; the length stops at the end of that line.
+  [[nodiscard]] Place place() const;
+
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+/// From the beginning of `a` to the end of `b`; `a` alone when `b` does not follow it in its file,
+/// as happens where texts are put in place.
+[[nodiscard]] inline Range join(const Range& a, const Range& b) {
+  return a.file == b.file && b.end >= a.begin ? Range{a.file, a.begin, b.end} : a;
+}
+/// The empty range behind `a`.
+[[nodiscard]] inline Range behind(const Range& a) { return {a.file, a.end, a.end}; }
+
+}  // namespace dgt
