@@ -14,10 +14,10 @@
 ///
 /// Nouns. An *item* is one word of the contour with its elements and numbers resolved. A *leg* is a
 /// stretch of travel: along an element, or straight. A *joint* is where one leg ends and the next
-/// begins; it is kept as a rule (the crossing of these two elements, the foot of that normal), so that
-/// the programmed contour and the equidistant are the same legs and joints, evaluated with offset 0 and
-/// with the offset. What is chosen (which crossing, which fillet) is chosen once, on the programmed
-/// contour.
+/// begins; it is kept as a rule (the crossing of these two elements, the foot of that normal), so
+/// that the programmed contour and the equidistant are the same legs and joints, evaluated with
+/// offset 0 and with the offset. What is chosen (which crossing, which fillet) is chosen once, on
+/// the programmed contour.
 namespace dgt {
 
 // --- items ------------------------------------------------------------------------------------
@@ -86,19 +86,20 @@ struct ContourItem {
 enum class OffsetSide : std::uint8_t { Auto, Left, Right };
 
 struct ContourOptions {
-  /// Where W > 0 lies; Auto: on the side of the first element where the tool stands before the first
-  /// contact.
+  /// Where W > 0 lies; Auto: on the side of the first element where the tool stands before the
+  /// first contact.
   OffsetSide offset_side = OffsetSide::Auto;
-  /// Offset elements that miss each other by at most this, in mm, are joined at the closest points with
-  /// a notice. Default 0.001: a tenth of what a wire machine can show.
+  /// Offset elements that miss each other by at most this, in mm, are joined at the closest points
+  /// with a notice. Default 0.001: a tenth of what a wire machine can show.
   Rational join_tolerance = Rational(1, 1000);
 };
 
 /// What the machine carries from one contour to the next.
 struct ToolState {
+  RationalPoint start;  ///< where the program begins: the last G54 before anything moved
   Point at;
-  bool moved = false;         ///< G54 sets the start until the first move, then it travels
-  RationalPtr feed;           ///< null: never set
+  bool moved = false;           ///< G54 sets the start until the first move, then it travels
+  RationalPtr feed;             ///< null: never set
   bool straight_rapid = false;  ///< F0 in force
 };
 
@@ -130,8 +131,8 @@ struct ContourFault {
   Kind kind;
   std::size_t item = 0;
   std::size_t other = 0;
-  double measure = 0;                   ///< mm
-  bool on_equidistant = false;          ///< fine as programmed; the offset does it
+  double measure = 0;           ///< mm
+  bool on_equidistant = false;  ///< fine as programmed; the offset does it
   std::optional<Impossible> impossible;
 };
 

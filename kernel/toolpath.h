@@ -31,8 +31,8 @@ enum class Role : std::uint8_t {
   Thread
 };
 
-/// Where a move was asked for. `file` counts into Toolpath::files; lines and columns from 1, columns
-/// in characters; line 0: nowhere.
+/// Where a move was asked for. `file` counts into Toolpath::files; lines and columns from 1,
+/// columns in characters; line 0: nowhere.
 struct SourcePlace {
   std::uint32_t file = 0;
   std::uint32_t line = 0;
@@ -47,10 +47,10 @@ struct Move {
   Role role = Role::Contour;
   bool full_circle = false;  ///< an arc that ends where it began, once round
   Point from;
-  Point to;           ///< equals `from` for dwells, codes and full circles
-  Carrier carrier;    ///< the exact curve of an arc, and of a line cut along an element; else null
-  RationalPtr z;      ///< height reached at the end, mm; null: unchanged
-  RationalPtr feed;   ///< mm/min, modal value in force; null: never set
+  Point to;          ///< equals `from` for dwells, codes and full circles
+  Carrier carrier;   ///< the exact curve of an arc, and of a line cut along an element; else null
+  RationalPtr z;     ///< height reached at the end, mm; null: unchanged
+  RationalPtr feed;  ///< mm/min, modal value in force; null: never set
   RationalPtr seconds;  ///< of a dwell
   std::string code;     ///< of a code: `M7`, `S100`
   SourcePlace source;

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/toolpath.h"
+
+#include <mpfr.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "kernel/check.h"
+#include "kernel/mpfr_float.h"
+
+namespace dgt {
+namespace {
+
+constexpr mpfr_prec_t kMeasureBits = 128;
+
+/// sign(p + q√e) for p, q in one field Q(√c): exact by comparing squares.
+int sign_over(const OneRoot& p, const OneRoot& q, const Rational& e) {
+  const int sp = sign(p);
+  const int sq = sgn(e) == 0 ? 0 : sign(q);
+  if (sp == 0 || sp == sq) return sq;
+  if (sq == 0) return sp;
+  const Rational& c = p.is_rational() ? q.c : p.c;
+  const OneRoot difference{p.a * p.a + p.b * p.b * c - (q.a * q.a + q.b * q.b * c) * e,
+                           2 * (p.a * p.b - q.a * q.b * e), c};
+  return sp * sign(difference);  // |p| against |q|√e
+}
+
+/// The root that both coordinates are made over.
+const Rational& root_of(const ExactPoint& p) { return p.x.is_rational() ? p.y.c : p.x.c; }
+
+/// Exact sign of (a − c) × (b − c).
+int exact_turn(const RationalPoint& c, const ExactPoint& a, const ExactPoint& b) {
+  const OneRoot ux = a.x - c.x;
+  const OneRoot uy = a.y - c.y;
+  const OneRoot vx = b.x - c.x;
+  const OneRoot vy = b.y - c.y;
+  const Rational& root = root_of(a);
+  const auto zero_if_rational = [](const OneRoot& n) {
+    return n.is_rational() ? Rational(0) : n.b;
+  };
+  const Rational uxb = zero_if_rational(ux);
+  const Rational uyb = zero_if_rational(uy);
+  const Rational vxb = zero_if_rational(vx);
+  const Rational vyb = zero_if_rational(vy);
+  const OneRoot p{ux.a * vy.a - uy.a * vx.a, uxb * vy.a - uyb * vx.a, root};
+  const OneRoot q{ux.a * vyb - uy.a * vxb, uxb * vyb - uyb * vxb, root};
+  return sign_over(p, q, root_of(b));
+}
+
+/// Encloses the exact coordinate that a correctly rounded double stands for.
+Ball around(double x) {
+  return {x, static_cast<long double>(std::fabs(x)) * 0x1p-52L + std::ldexp(1.0L, kZeroExponent)};
+}
+
+/// out = the angle from `from` to `to` about the circle's centre, in radians, signed by its sense.
+void sweep_radians(mpfr_ptr out, const Circle& circle, const Point& from, const Point& to) {
+  const double cx = nearest_double(circle.centre().x);
+  const double cy = nearest_double(circle.centre().y);
+  MpfrFloat begin(kMeasureBits);
+  MpfrFloat dx(kMeasureBits);
+  MpfrFloat dy(kMeasureBits);
+  const auto angle = [&](mpfr_ptr result, const Point& p) {
+    mpfr_set_d(dx, p.x(), MPFR_RNDN);
+    mpfr_sub_d(dx, dx, cx, MPFR_RNDN);
+    mpfr_set_d(dy, p.y(), MPFR_RNDN);
+    mpfr_sub_d(dy, dy, cy, MPFR_RNDN);
+    mpfr_atan2(result, dy, dx, MPFR_RNDN);
+  };
+  angle(begin, from);
+  angle(out, to);
+  mpfr_sub(out, out, begin, MPFR_RNDN);
+  const bool ccw = circle.counter_clockwise();
+  if ((ccw && mpfr_sgn(out) < 0) || (!ccw && mpfr_sgn(out) > 0)) {
+    mpfr_const_pi(begin, MPFR_RNDN);
+    mpfr_mul_ui(begin, begin, 2, MPFR_RNDN);
+    if (ccw)
+      mpfr_add(out, out, begin, MPFR_RNDN);
+    else
+      mpfr_sub(out, out, begin, MPFR_RNDN);
+  }
+}
+
+void arc_radians(mpfr_ptr out, const Move& arc) {
+  if (!arc.full_circle) {
+    sweep_radians(out, arc.circle(), arc.from, arc.to);
+    return;
+  }
+  mpfr_const_pi(out, MPFR_RNDN);
+  mpfr_mul_si(out, out, arc.circle().counter_clockwise() ? 2 : -2, MPFR_RNDN);
+}
+
+void length_of(mpfr_ptr out, const Move& move) {
+  if (!move.travels()) {
+    mpfr_set_zero(out, 1);
+    return;
+  }
+  MpfrFloat other(kMeasureBits);
+  if (move.kind == MoveKind::Arc) {
+    arc_radians(out, move);
+    mpfr_set_q(other, move.circle().radius().get_mpq_t(), MPFR_RNDN);
+    mpfr_mul(out, out, other, MPFR_RNDN);
+    mpfr_abs(out, out, MPFR_RNDN);
+    return;
+  }
+  mpfr_set_d(out, move.to.x(), MPFR_RNDN);
+  mpfr_sub_d(out, out, move.from.x(), MPFR_RNDN);
+  mpfr_set_d(other, move.to.y(), MPFR_RNDN);
+  mpfr_sub_d(other, other, move.from.y(), MPFR_RNDN);
+  mpfr_hypot(out, out, other, MPFR_RNDN);
+}
+
+// --- the printed form ---------------------------------------------------------------------------
+
+std::string fixed(double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.6f", value);
+  std::string text = buffer.data();
+  return text == "-0.000000" ? "0.000000" : text;
+}
+
+std::string place_text(const Point& p) { return "X" + fixed(p.x()) + " Y" + fixed(p.y()); }
+
+std::string move_text(const Move& move) {
+  std::string text = name_of(move.kind);
+  if (move.kind == MoveKind::Code) return text + " " + move.code;
+  if (move.kind == MoveKind::Dwell) return text + " " + to_short_decimal(*move.seconds) + " s";
+  text += " " + place_text(move.to);
+  if (move.kind == MoveKind::Arc) {
+    const Circle circle = move.circle();
+    text += " centre " + place_text(Point(circle.centre())) + " radius " +
+            fixed(std::fabs(nearest_double(circle.radius()))) + " sweep " +
+            fixed(sweep_degrees(move));
+  }
+  if (move.z) text += " Z" + to_short_decimal(*move.z);
+  if (move.feed && move.kind != MoveKind::Rapid) text += " F" + to_short_decimal(*move.feed);
+  return text + " " + name_of(move.role);
+}
+
+std::string source_text(const Toolpath& path, const SourcePlace& place) {
+  if (place.line == 0) return "";
+  std::string text = "  ; ";
+  if (place.file < path.files.size()) text += path.files[place.file] + ":";
+  return text + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+std::string contour_text(const Contour& contour) {
+  return "contour " + std::to_string(contour.id) + " offset " + to_short_decimal(contour.offset) +
+         " side " + name_of(contour.side) + (contour.closed ? " closed" : " open") + "\n";
+}
+
+}  // namespace
+
+int half_turn_order(const Move& arc) {
+  if (arc.full_circle) return 1;
+  const Circle circle = arc.circle();
+  const int sense = circle.counter_clockwise() ? 1 : -1;
+  const Ball cx(circle.centre().x);
+  const Ball cy(circle.centre().y);
+  const Ball turn = (around(arc.from.x()) - cx) * (around(arc.to.y()) - cy) -
+                    (around(arc.from.y()) - cy) * (around(arc.to.x()) - cx);
+  if (const auto certain = turn.sign()) return -sense * *certain;
+  return -sense * exact_turn(circle.centre(), arc.from.exact(), arc.to.exact());
+}
+
+double sweep_degrees(const Move& arc) {
+  DGT_CHECK(arc.kind == MoveKind::Arc);
+  if (arc.full_circle) return arc.circle().counter_clockwise() ? 360 : -360;
+  MpfrFloat sweep(kMeasureBits);
+  MpfrFloat pi(kMeasureBits);
+  arc_radians(sweep, arc);
+  mpfr_const_pi(pi, MPFR_RNDN);
+  mpfr_mul_ui(sweep, sweep, 180, MPFR_RNDN);
+  mpfr_div(sweep, sweep, pi, MPFR_RNDN);
+  return mpfr_get_d(sweep, MPFR_RNDN);
+}
+
+double length(const Move& move) {
+  MpfrFloat length(kMeasureBits);
+  length_of(length, move);
+  return mpfr_get_d(length, MPFR_RNDN);
+}
+
+Lengths lengths(const std::vector<Move>& moves) {
+  MpfrFloat cut(kMeasureBits);
+  MpfrFloat rapid(kMeasureBits);
+  MpfrFloat one(kMeasureBits);
+  mpfr_set_zero(cut, 1);
+  mpfr_set_zero(rapid, 1);
+  for (const Move& move : moves) {
+    length_of(one, move);
+    if (move.kind == MoveKind::Rapid)
+      mpfr_add(rapid, rapid, one, MPFR_RNDN);
+    else
+      mpfr_add(cut, cut, one, MPFR_RNDN);
+  }
+  return {mpfr_get_d(cut, MPFR_RNDN), mpfr_get_d(rapid, MPFR_RNDN)};
+}
+
+std::string to_text(const Toolpath& path) {
+  std::string text = "start " + place_text(Point(path.start)) + "\n";
+  std::size_t contour = 0;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    while (contour < path.contours.size() && path.contours[contour].first == i)
+      text += contour_text(path.contours[contour++]);
+    text += std::to_string(i + 1) + " " + move_text(path.moves[i]) +
+            source_text(path, path.moves[i].source) + "\n";
+  }
+  while (contour < path.contours.size()) text += contour_text(path.contours[contour++]);
+  return text;
+}
+
+const char* name_of(MoveKind kind) {
+  switch (kind) {
+    case MoveKind::Line:
+      return "line";
+    case MoveKind::Arc:
+      return "arc";
+    case MoveKind::Rapid:
+      return "rapid";
+    case MoveKind::Dwell:
+      return "dwell";
+    case MoveKind::Code:
+      return "code";
+  }
+  return "";
+}
+
+const char* name_of(Role role) {
+  switch (role) {
+    case Role::LeadIn:
+      return "lead-in";
+    case Role::Contour:
+      return "contour";
+    case Role::Fillet:
+      return "fillet";
+    case Role::Chamfer:
+      return "chamfer";
+    case Role::Tangent:
+      return "tangent";
+    case Role::LeadOut:
+      return "lead-out";
+    case Role::Position:
+      return "position";
+    case Role::Thread:
+      return "thread";
+  }
+  return "";
+}
+
+const char* name_of(Side side) {
+  switch (side) {
+    case Side::Left:
+      return "left";
+    case Side::Right:
+      return "right";
+    case Side::None:
+      return "none";
+  }
+  return "";
+}
+
+}  // namespace dgt
