@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/contour.h"
+
+#include <gmock/gmock.h>
+
+#include "contour_notation.h"
+
+namespace dgt::notation {
+namespace {
+
+using Kind = ContourFault::Kind;
+using testing::IsEmpty;
+
+class ContourTest : public testing::Test {
+ protected:
+  ElementPtr bottom = horizontal("0");
+  ElementPtr top = minus(horizontal("10"));
+  ElementPtr left = vertical("0");           // runs down
+  ElementPtr right = minus(vertical("20"));  // runs up
+};
+
+/// The one fault of a contour.
+ContourFault only_fault(const BuiltContour& built) {
+  EXPECT_EQ(built.faults.size(), 1U) << text(built.faults);
+  return built.faults.empty() ? ContourFault{} : built.faults.front();
+}
+
+TEST_F(ContourTest, FirstPairOnlyPositions) {
+  const auto built = build({along(left), along(bottom), along(right)}, at("5", "5"));
+  EXPECT_EQ(text(built.moves), "line(5,5 0,0) line(0,0 20,0)");
+  EXPECT_EQ(built.moves[0].role, Role::LeadIn);
+  EXPECT_FALSE(built.closed);
+}
+
+TEST_F(ContourTest, RectangleCloses) {
+  const auto built =
+      build({along(left), along(bottom), along(right), along(top), along(left), along(bottom)},
+            at("5", "5"));
+  EXPECT_EQ(text(built.moves),
+            "line(5,5 0,0) line(0,0 20,0) line(20,0 20,10) line(20,10 0,10) line(0,10 0,0)");
+  EXPECT_TRUE(built.closed);
+}
+
+TEST_F(ContourTest, OffsetLiesWhereTheToolStands) {
+  const auto inside = build(
+      {w("1"), along(left), along(bottom), along(right), along(top), along(left), along(bottom)},
+      at("5", "5"));
+  EXPECT_EQ(text(inside.moves),
+            "line(5,5 1,1) line(1,1 19,1) line(19,1 19,9) line(19,9 1,9) line(1,9 1,1)");
+  EXPECT_EQ(inside.side, Side::Left);
+  const auto outside = build(
+      {w("1"), along(left), along(bottom), along(right), along(top), along(left), along(bottom)},
+      at("-5", "5"));
+  EXPECT_EQ(text(outside.moves),
+            "line(-5,5 -1,-1) line(-1,-1 21,-1) line(21,-1 21,11) line(21,11 -1,11) "
+            "line(-1,11 -1,-1)");
+  EXPECT_EQ(outside.side, Side::Right);
+}
+
+TEST_F(ContourTest, ToolOnTheFirstElementLeavesTheSideUnknown) {
+  const auto built = build({w("1"), along(left), along(bottom), along(right)}, at("0", "5"));
+  EXPECT_EQ(only_fault(built).kind, Kind::SideUnknown);
+  EXPECT_THAT(built.moves, IsEmpty());
+}
+
+TEST_F(ContourTest, NegativeOffsetAsksForASide) {
+  const std::vector<What> contour{w("-1"), along(left), along(bottom), along(right)};
+  EXPECT_EQ(only_fault(build(contour, at("5", "5"))).kind, Kind::SideOfNegative);
+  ContourOptions options;
+  options.offset_side = OffsetSide::Left;
+  const auto built = build(contour, at("5", "5"), options);
+  EXPECT_EQ(text(built.moves), "line(5,5 -1,-1) line(-1,-1 21,-1)");
+  EXPECT_EQ(built.side, Side::Right);
+}
+
+TEST_F(ContourTest, FilletJoinsLines) {
+  const auto built = build({along(left), along(bottom), fillet("2"), along(right), along(top)});
+  EXPECT_EQ(text(built.moves), "line(0,0 18,0) arc(18,0 20,2 r2 90) line(20,2 20,10)");
+  EXPECT_EQ(built.moves[1].role, Role::Fillet);
+}
+
+TEST_F(ContourTest, SecondFilletTurnsTheOtherWay) {
+  const auto built = build(
+      {along(left), along(bottom), select(Selector::I2), fillet("2"), along(right), along(top)});
+  EXPECT_EQ(text(built.moves), "line(0,0 22,0) arc(22,0 20,-2 r2 -270) line(20,-2 20,10)");
+}
+
+TEST_F(ContourTest, NegativeFilletIsClockwise) {
+  const auto built = build({along(left), along(bottom), fillet("-2"), along(right), along(top)});
+  EXPECT_EQ(text(built.moves), "line(0,0 22,0) arc(22,0 20,-2 r2 -270) line(20,-2 20,10)");
+}
+
+TEST_F(ContourTest, FilletInTheFirstPairIsCut) {
+  const auto built = build({along(bottom), fillet("2"), along(right), along(top)}, at("5", "5"));
+  EXPECT_EQ(text(built.moves), "line(5,5 18,0) arc(18,0 20,2 r2 90) line(20,2 20,10)");
+}
+
+TEST_F(ContourTest, ChamferIsMeasuredOnTheProgrammedContour) {
+  const std::vector<What> contour{w("1"),       along(left),  along(bottom),
+                                  chamfer("2"), along(right), along(top)};
+  const auto built = build(contour, at("5", "5"));
+  EXPECT_EQ(text(built.programmed),
+            "line(5,5 0,0) line(0,0 18,0) line(18,0 20,2) line(20,2 20,10)");
+  EXPECT_EQ(built.moves[2].role, Role::Chamfer);
+  // The chamfer line is offset by 1 as well: its corner lies √2 − 1 further along.
+  EXPECT_EQ(text(built.moves),
+            "line(5,5 1,1) line(1,1 17.5858,1) line(17.5858,1 19,2.4142) line(19,2.4142 19,9)");
+}
+
+TEST_F(ContourTest, ChamferEatenByTheOffset) {
+  const auto built = build(
+      {w("4"), along(left), along(bottom), chamfer("2"), along(right), along(top)}, at("5", "5"));
+  EXPECT_EQ(only_fault(built).kind, Kind::Eaten);
+  EXPECT_EQ(only_fault(built).item, 3U);
+}
+
+TEST_F(ContourTest, FilletEatenByTheOffset) {
+  const auto built = build(
+      {w("2.5"), along(left), along(bottom), fillet("2"), along(right), along(top)}, at("5", "5"));
+  const auto fault = only_fault(built);
+  EXPECT_EQ(fault.kind, Kind::Eaten);
+  EXPECT_EQ(fault.item, 3U);
+  EXPECT_DOUBLE_EQ(fault.measure, 0.5);
+  EXPECT_TRUE(fault.on_equidistant);
+}
+
+TEST_F(ContourTest, FilletEatenToExactlyNothing) {
+  const auto built = build(
+      {w("2"), along(left), along(bottom), fillet("2"), along(right), along(top)}, at("5", "5"));
+  EXPECT_EQ(only_fault(built).kind, Kind::Eaten);
+}
+
+TEST_F(ContourTest, LegTurnedOverByTheOffsetIsEaten) {
+  // A slot 3 wide and a tool of radius 2 in it: the bottom leg runs backwards.
+  const auto near = minus(vertical("3"));
+  const auto built =
+      build({w("2"), along(left), along(bottom), along(near), along(top)}, at("1.5", "5"));
+  EXPECT_EQ(only_fault(built).kind, Kind::Eaten);
+  EXPECT_EQ(only_fault(built).item, 2U);
+}
+
+TEST_F(ContourTest, ApproachAndDepartureAlongTheNormal) {
+  const auto c = circle("0", "0", "10");
+  const auto built = build({w("1"), to("0", "15"), along(c), to("20", "0")}, at("0", "20"));
+  EXPECT_EQ(text(built.moves),
+            "line(0,20 0,15) line(0,15 0,11) arc(0,11 11,0 r11 270) line(11,0 20,0)");
+  EXPECT_EQ(built.moves[0].role, Role::Position);
+  EXPECT_EQ(built.moves[1].role, Role::LeadIn);
+  EXPECT_EQ(built.moves[3].role, Role::LeadOut);
+}
+
+TEST_F(ContourTest, OneFootAndBackIsAFullCircle) {
+  const auto c = circle("0", "0", "-10");
+  const auto built = build({w("1"), to("0", "15"), along(c), to("0", "15")}, at("0", "20"));
+  EXPECT_EQ(text(built.moves),
+            "line(0,20 0,15) line(0,15 0,11) arc(0,11 0,11 r11 -360) line(0,11 0,15)");
+  EXPECT_TRUE(built.moves[2].full_circle);
+  EXPECT_TRUE(built.closed);
+}
+
+TEST_F(ContourTest, CommonTangentsJoinCircles) {
+  const auto a = circle("0", "0", "5");
+  const auto b = circle("20", "0", "5");
+  const auto built =
+      build({along(a), tangent(), along(b), tangent(), along(a), tangent(), along(b)});
+  EXPECT_EQ(text(built.moves),
+            "line(0,0 0,-5) line(0,-5 20,-5) arc(20,-5 20,5 r5 180) line(20,5 0,5) "
+            "arc(0,5 0,-5 r5 180) line(0,-5 20,-5)");
+  EXPECT_EQ(built.moves[1].role, Role::Tangent);
+}
+
+TEST_F(ContourTest, CircleIsLeftWhereTheLineLeavesIt) {
+  // The slot of sample 1P: into the lobe along +X, round clockwise, out along −X.
+  const auto lobe = circle("14", "0", "-5");
+  const auto built = build({along(horizontal("2")), along(lobe), along(minus(horizontal("-2"))),
+                            along(circle("0", "0", "-7"))},
+                           at("14", "0"));
+  EXPECT_EQ(text(built.moves),
+            "line(14,0 9.4174,2) arc(9.4174,2 9.4174,-2 r5 -312.8436) line(9.4174,-2 6.7082,-2)");
+}
+
+TEST_F(ContourTest, SelectorsCompareCoordinates) {
+  const auto c = circle("0", "0", "5");
+  const auto line = horizontal("3");
+  const auto positioned = [&](Selector s) {
+    return text(build({along(line), select(s), along(c), to("10", "10")}).moves).substr(0, 14);
+  };
+  EXPECT_EQ(positioned(Selector::I1), "line(0,0 -4,3)");
+  EXPECT_EQ(positioned(Selector::I2), "line(0,0 4,3) ");
+  EXPECT_EQ(positioned(Selector::GreaterX), "line(0,0 4,3) ");
+  EXPECT_EQ(positioned(Selector::SmallerX), "line(0,0 -4,3)");
+  const auto equal = build({along(line), select(Selector::GreaterY), along(c), to("10", "10")});
+  EXPECT_EQ(equal.faults.front().kind, Kind::EqualCandidates);
+}
+
+TEST_F(ContourTest, SelectorBetweenLinesSelectsNothing) {
+  const auto built = build({along(left), select(Selector::I2), along(bottom), along(right)});
+  EXPECT_EQ(only_fault(built).kind, Kind::NoChoice);
+}
+
+TEST_F(ContourTest, NearMissIsJoinedWithANotice) {
+  const auto c = circle("0", "5.0005", "5");
+  const auto built = build({along(left), along(bottom), along(c), to("0", "20")});
+  EXPECT_THAT(built.faults, IsEmpty()) << text(built.faults);
+  ASSERT_EQ(built.notices.size(), 1U);
+  EXPECT_EQ(built.notices[0].kind, ContourNotice::Kind::JoinedGap);
+  EXPECT_DOUBLE_EQ(built.notices[0].measure, 0.0005);
+}
+
+TEST_F(ContourTest, MissReportsTheGap) {
+  const auto built = build({along(bottom), along(circle("0", "5.25", "5")), to("0", "20")});
+  const auto fault = built.faults.front();
+  EXPECT_EQ(fault.kind, Kind::NoMeeting);
+  EXPECT_DOUBLE_EQ(fault.measure, 0.25);
+  EXPECT_FALSE(fault.on_equidistant);
+}
+
+TEST_F(ContourTest, MissOfTheEquidistantSaysSo) {
+  // A line that cuts a clockwise circle 0.5 deep: offset to the right both draw back, by 1 each.
+  const auto c = circle("0", "4.5", "-5");
+  const auto built =
+      build({w("1"), along(left), along(bottom), along(c), to("0", "20")}, at("-20", "-3"));
+  ASSERT_FALSE(built.faults.empty());
+  EXPECT_TRUE(built.faults.front().on_equidistant);
+  EXPECT_DOUBLE_EQ(built.faults.front().measure, 1.5);
+  EXPECT_THAT(built.programmed, testing::Not(IsEmpty()));
+}
+
+TEST_F(ContourTest, DistanceRunsAlongTheLine) {
+  const auto built = build({along(left), along(bottom), travel("7"), to("7", "5")});
+  EXPECT_EQ(text(built.moves), "line(0,0 7,0) line(7,0 7,5)");
+}
+
+TEST_F(ContourTest, DistanceIsMeasuredOnTheProgrammedContour) {
+  const auto built = build({w("1"), along(left), along(bottom), travel("7")}, at("5", "5"));
+  EXPECT_EQ(text(built.moves), "line(5,5 1,1) line(1,1 7,1)");
+}
+
+TEST_F(ContourTest, AxisBeginsAndEnds) {
+  const auto built =
+      build({w("1"), axis(vertical("3")), along(bottom), axis(vertical("12"))}, at("3", "5"));
+  EXPECT_EQ(text(built.moves), "line(3,5 3,1) line(3,1 12,1)");
+}
+
+TEST_F(ContourTest, TechnologyStaysInPlace) {
+  const auto built = build({code("M7"), along(left), along(bottom), dwell("0.5"), along(right),
+                            height("-3"), along(top)},
+                           at("5", "5"));
+  EXPECT_EQ(text(built.moves), "M7 line(5,5 0,0) dwell(0.5) line(0,0 20,0) line(20,0 20,10 z-3)");
+}
+
+TEST_F(ContourTest, RapidOnceIsForTheNextMoveOffTheElements) {
+  const auto built =
+      build({to("5", "5"), rapid(), along(bottom), along(right), along(top)}, at("9", "9"));
+  EXPECT_EQ(text(built.moves), "line(9,9 5,5) rapid(5,5 5,0) line(5,0 20,0) line(20,0 20,10)");
+}
+
+TEST_F(ContourTest, RapidFeedRefusesArcs) {
+  const auto built = build({feed("0"), along(bottom), fillet("2"), along(right), along(top)});
+  EXPECT_EQ(only_fault(built).kind, Kind::RapidArc);
+}
+
+TEST_F(ContourTest, SecondOffsetFromTheNextElement) {
+  const auto built =
+      build({w("1"), along(left), along(bottom), u("2"), along(right), along(top)}, at("5", "5"));
+  EXPECT_EQ(text(built.moves), "line(5,5 1,1) line(1,1 18,1) line(18,1 18,8)");
+}
+
+TEST_F(ContourTest, OffsetChangeAtAFilletIsRefused) {
+  const auto built =
+      build({w("1"), along(left), along(bottom), u("2"), fillet("2"), along(right), along(top)},
+            at("5", "5"));
+  EXPECT_EQ(only_fault(built).kind, Kind::OffsetAtTangent);
+}
+
+TEST_F(ContourTest, CutAgainstTheLineIsNoticed) {
+  const auto built = build({w("1"), along(left), along(minus(bottom)), along(right)}, at("5", "5"));
+  ASSERT_EQ(built.notices.size(), 2U);
+  EXPECT_EQ(built.notices[1].kind, ContourNotice::Kind::AgainstDirection);
+  EXPECT_EQ(built.notices[1].item, 2U);
+}
+
+TEST_F(ContourTest, ZeroArcIsRefused) {
+  // Two tangents at one point of the circle: nothing is left of it.
+  const auto c = circle("0", "5", "5");
+  const auto built =
+      build({along(left), along(bottom), along(c), along(bottom), to("9", "9")}, at("-9", "9"));
+  EXPECT_EQ(built.faults.front().kind, Kind::ZeroArc);
+}
+
+TEST_F(ContourTest, CentreAsApproachIsRefused) {
+  const auto built = build({to("3", "4"), along(circle("3", "4", "5")), to("9", "9")});
+  EXPECT_EQ(built.faults.front().kind, Kind::CentreApproach);
+}
+
+TEST_F(ContourTest, ClosedWhenTheEndLiesOnTheFirstLeg) {
+  const auto built = build({to("-5", "6"), along(left), along(bottom), along(right), along(top),
+                            along(left), axis(horizontal("3"))},
+                           at("-9", "9"));
+  EXPECT_TRUE(built.closed) << text(built.moves);
+}
+
+}  // namespace
+}  // namespace dgt::notation
