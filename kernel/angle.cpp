@@ -32,9 +32,12 @@ Rational half_tangent(const Rational& degrees, int bits) {
 }  // namespace
 
 Direction direction_of(const Rational& degrees, int bits) {
-  // a = 90·quarter + rest with |rest| ≤ 45; the rest's sign and the quarter turns are applied
-  // exactly, which is what makes the symmetries exact.
-  const Integer quarter = nearest_integer(degrees / 90);
+  // a = 90·quarter + rest with −45 ≤ rest < 45; the rest's sign and the quarter turns are applied
+  // exactly, which is what makes the symmetries exact. Rounding the tie at 45 always upwards makes
+  // the quarter periodic, where rounding away from zero would not.
+  const Rational quarters = degrees / 90 + Rational(1, 2);
+  Integer quarter;
+  mpz_fdiv_q(quarter.get_mpz_t(), quarters.get_num_mpz_t(), quarters.get_den_mpz_t());
   const Rational rest = degrees - 90 * Rational(quarter);
   Direction result;
   if (sgn(rest) != 0) {
@@ -61,7 +64,8 @@ Direction direction_of(const Vector& v, int bits) {
   const bool flip_y = sgn(y) < 0;
   if (flip_x) x = -x;
   if (flip_y) y = -y;
-  const bool swapped = y > x;
+  // On the diagonals the swap follows the quadrant: they are quarter turns of one another.
+  const bool swapped = y > x || (y == x && flip_x != flip_y);
   if (swapped) std::swap(x, y);
 
   Rational ux;

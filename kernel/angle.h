@@ -18,7 +18,9 @@ struct Direction {
 
 /// The direction at `degrees` counter-clockwise from +X.
 ///  (1) Multiples of 90° are exact; whole turns change nothing.
-///  (2) direction_of(−a) mirrors, direction_of(a + 90) turns a quarter: exactly.
+///  (2) direction_of(a + 90) turns a quarter, exactly; direction_of(−a) mirrors, exactly, save at
+///      odd multiples of 45°: there both would ask for a rational vector with |x| = |y|, which no
+///      unit vector is, and the quarter turns are kept, so that perpendiculars stay perpendicular.
 ///  (3) The angle differs from the ideal by at most `bound` ≤ 2^−bits.
 [[nodiscard]] Direction direction_of(const Rational& degrees, int bits = kStandInBits);
 
@@ -26,7 +28,8 @@ struct Direction {
 ///  (1) It depends on the ratio of the coordinates alone, so parallel vectors get the same unit
 ///      vector, and opposite ones opposite vectors, exactly.
 ///  (2) It is exact when |v| is rational.
-///  (3) Mirroring or quarter-turning `v` does the same to the result, exactly.
+///  (3) Quarter-turning `v` does the same to the result, exactly; so does mirroring `v` unless
+///      |x| = |y| (see above).
 [[nodiscard]] Direction direction_of(const Vector& v, int bits = kStandInBits);
 
 /// The direction of a vector with one-root coordinates, within `bound`.

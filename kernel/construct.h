@@ -55,12 +55,12 @@ struct Impossible {
   enum class Why : std::uint8_t {
     CoincidentPoints,   ///< measure: their distance
     CollinearPoints,    ///< measure: distance of the middle one from the line of the others
-    ParallelLines,      ///< measure: distance of the lines
+    ParallelLines,      ///< measure: distance of the lines, or of the loci of the centre
     PointInside,        ///< measure: depth inside the circle
     ConcentricCircles,  ///< measure: difference of the radii
     CircleInside,       ///< no common tangent: depth by which one lies inside the other
     NoTouchingCircle,   ///< measure: gap between the loci of the centre
-    AlwaysTouching,     ///< every such circle touches: the operands coincide
+    AlwaysTouching,  ///< the loci of the centre coincide: as wide a channel or ring as the circle
     ZeroRadius,
     NoMeeting,       ///< measure: gap between the elements
     SameElement,     ///< the elements coincide

@@ -48,6 +48,14 @@ int excess_bits(const Rational& a, const Rational& b) {
   return std::max(0, bits(q.get_num()) - bits(q.get_den()) + 1);
 }
 
+/// Of the triangle 0, a, b over its longest side: how far its middle corner lies from the line of
+/// the others, to within the square of the contact resolution.
+Rational height_of_triangle(const Vector& a, const Vector& b) {
+  const Rational area = cross(a, b);
+  const Rational longest = std::max({squared_length(a), squared_length(b), squared_length(a - b)});
+  return sqrt_within(area * area / longest, 2 * kContactExponent);
+}
+
 }  // namespace
 
 Construction<Circle> circle_about(const KnownPoint& centre, const Rational& radius) {
@@ -64,7 +72,8 @@ Construction<Circle> circle_through(const KnownPoint& p, const KnownPoint& q, co
   if (within_contact(b)) return why(Impossible::Why::CoincidentPoints, length(b));
   if (within_contact(a - b)) return why(Impossible::Why::CoincidentPoints, length(a - b));
   const Rational twice_area = 2 * cross(a, b);
-  if (sgn(twice_area) == 0) return why(Impossible::Why::CollinearPoints);
+  if (const Rational off = height_of_triangle(a, b); is_contact(off))
+    return why(Impossible::Why::CollinearPoints, nearest_double(off));
   // The centre relative to p solves 2a·m = a², 2b·m = b².
   const Rational aa = squared_length(a);
   const Rational bb = squared_length(b);
@@ -86,8 +95,9 @@ Construction<Circle> touching(const Line& a, const Line& b, const Rational& radi
     const ExactPoint centre = crossing->at.exact();
     return capped(Circle({centre.x.a, centre.y.a}, radius), 0);
   }
-  const auto* apart = std::get_if<Apart>(&loci);
-  return why(Impossible::Why::ParallelLines, apart ? nearest_double(apart->gap) : 0);
+  if (const auto* apart = std::get_if<Apart>(&loci))
+    return why(Impossible::Why::ParallelLines, nearest_double(apart->gap));
+  return why(Impossible::Why::AlwaysTouching);
 }
 
 Construction<Circle> touching(const Line& line, const Circle& circle, const Rational& radius,
@@ -102,7 +112,7 @@ Construction<Circle> touching(const Line& line, const Circle& circle, const Rati
   const Rational k = h - circle.radius();
   const Rational y = radius - h;
   if (is_contact(k))  // they touch already: the centre lies on the normal at the contact
-    return capped(Circle(focus + y * normal, radius), upper_bound(k));
+    return capped(Circle(focus + y * normal, radius), sgn(k) == 0 ? 0 : upper_bound(k));
   const Rational square = k * k + 2 * k * y;
   const Rational gap = abs(y) - abs(circle.radius() - radius);  // between the loci
   if (!is_contact(gap) && sgn(square) < 0)
@@ -135,15 +145,21 @@ Construction<Circle> touching(const Circle& a, const Circle& b, const Rational& 
   if (sgn(radius) == 0) return why(Impossible::Why::ZeroRadius);
   if (a.radius() == radius || b.radius() == radius) return why(Impossible::Why::SameElement);
   const Vector d = a.centre() - b.centre();
-  if (within_contact(d))
+  if (within_contact(d)) {
+    if (is_contact(abs(a.radius() - radius) - abs(b.radius() - radius)))
+      return why(Impossible::Why::AlwaysTouching);
     return why(Impossible::Why::ConcentricCircles,
                std::fabs(nearest_double(Rational(abs(a.radius()) - abs(b.radius())))));
+  }
   if (in_oriented_contact(a, b)) {
     const Rational difference = a.radius() - b.radius();
     const Vector n = (1 / difference) * d;
-    const bool exact = squared_length(d) == difference * difference;
-    return capped(Circle(a.centre() + (radius - a.radius()) * n, radius),
-                  exact ? 0 : std::ldexp(4.0, kContactExponent));
+    // |n| is off 1 by up to the resolution over the difference, the centre by the reach times that.
+    const Rational reach = abs(radius - a.radius()) + abs(difference);
+    const double off = squared_length(d) == difference * difference
+                           ? 0
+                           : std::ldexp(2 * upper_bound(reach / difference), kContactExponent);
+    return capped(Circle(a.centre() + (radius - a.radius()) * n, radius), off);
   }
   // The locus about each centre is directed as the circle it comes from.
   Rational locus_radius = abs(a.radius() - radius);
@@ -152,13 +168,15 @@ Construction<Circle> touching(const Circle& a, const Circle& b, const Rational& 
                             Element(Circle(b.centre(), abs(b.radius() - radius))));
   if (const auto* apart = std::get_if<Apart>(&loci))
     return why(Impossible::Why::NoTouchingCircle, nearest_double(apart->gap));
-  if (std::holds_alternative<Coincident>(loci)) return why(Impossible::Why::AlwaysTouching);
+  DGT_CHECK(!std::holds_alternative<Coincident>(loci));  // their centres are apart
   if (const auto* one = std::get_if<OnePoint>(&loci)) {
     const ExactPoint centre = one->at.exact();
     const RationalPoint at{rational_within(centre.x, 2 * kContactExponent),
                            rational_within(centre.y, 2 * kContactExponent)};
-    const Rational reach = a.radius() - radius;
-    const bool exact = squared_length(at - a.centre()) == reach * reach;
+    const Rational from_a = a.radius() - radius;
+    const Rational from_b = b.radius() - radius;
+    const bool exact = squared_length(at - a.centre()) == from_a * from_a &&
+                       squared_length(at - b.centre()) == from_b * from_b;
     return capped(Circle(at, radius), exact ? 0 : std::ldexp(4.0, kContactExponent));
   }
   const auto& two = std::get<TwoPoints>(loci);

@@ -82,6 +82,7 @@ RationalPoint contact(const Element& a, const Element& b) {
   const auto& circle = std::get<Circle>(a);
   if (std::holds_alternative<Line>(b)) return contact(b, a);
   const auto& second = std::get<Circle>(b);
+  DGT_CHECK(circle.radius() != second.radius());  // else they coincide
   return circle.centre() - (circle.radius() / (circle.radius() - second.radius())) *
                                (circle.centre() - second.centre());
 }

@@ -13,11 +13,10 @@ OneRoot signed_distance(const Line& line, const ExactPoint& q) {
 
 /// |q − c|² as a one-root number over the root of q.
 OneRoot squared_distance(const RationalPoint& c, const ExactPoint& q) {
-  const OneRoot dx = q.x - c.x;
-  const OneRoot dy = q.y - c.y;
-  const Rational& root = dx.is_rational() ? dy.c : dx.c;
-  return {dx.a * dx.a + dy.a * dy.a + dx.b * dx.b * dx.c + dy.b * dy.b * dy.c,
-          2 * (dx.a * dx.b + dy.a * dy.b), root};
+  const auto squared = [](const OneRoot& d) {
+    return OneRoot(d.a * d.a + d.b * d.b * d.c, 2 * d.a * d.b, d.c);
+  };
+  return combine(1, squared(q.x - c.x), 1, squared(q.y - c.y), 0);
 }
 
 }  // namespace
@@ -48,8 +47,12 @@ double distance_to(const Element& e, const ExactPoint& q) {
   if (const auto* line = std::get_if<Line>(&e))
     return std::fabs(nearest_double(signed_distance(*line, q)));
   const auto& circle = std::get<Circle>(e);
-  const double from_centre = std::sqrt(nearest_double(squared_distance(circle.centre(), q)));
-  return std::fabs(from_centre - std::fabs(nearest_double(circle.radius())));
+  // |d − r| = |d² − r²| / (d + r): the difference is taken exactly, so nothing cancels.
+  const OneRoot square = squared_distance(circle.centre(), q);
+  const double from_centre = std::sqrt(nearest_double(square));
+  const double radius = std::fabs(nearest_double(circle.radius()));
+  const double difference = nearest_double(square - Rational(circle.radius() * circle.radius()));
+  return std::fabs(difference) / (from_centre + radius);
 }
 
 }  // namespace dgt

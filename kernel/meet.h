@@ -80,7 +80,8 @@ using Meeting = std::variant<Apart, Coincident, OnePoint, TwoPoints>;
 ///  (1) Every crossing returned lies on both, exactly; a contact lies on both within 2⁻⁷⁰ mm, and
 ///  on
 ///      the circle exactly when the contact is exact.
-///  (2) meet(b, a) returns the same points; of two circles Entry and Exit change places.
+///  (2) meet(b, a) returns the same points; of two circles that turn the same way Entry and Exit
+///      change places: where the first enters the second, the second leaves the first.
 ///  (3) Reversing the element whose motion counts exchanges Entry and Exit and changes nothing
 ///  else.
 [[nodiscard]] Meeting meet(const Carrier& a, const Carrier& b);

@@ -230,13 +230,18 @@ OneRoot operator-(const OneRoot& x) { return {-x.a, -x.b, x.c}; }
 
 OneRoot combine(const Rational& k, const OneRoot& x, const Rational& l, const OneRoot& y,
                 const Rational& m) {
-  DGT_CHECK(x.is_rational() || y.is_rational() || x.c == y.c);
-  return {k * x.a + l * y.a + m, k * x.b + l * y.b, x.is_rational() ? y.c : x.c};
+  if (x.is_rational()) return {k * x.a + l * y.a + m, l * y.b, y.c};
+  if (y.is_rational()) return {k * x.a + l * y.a + m, k * x.b, x.c};
+  DGT_CHECK(x.c == y.c);
+  return {k * x.a + l * y.a + m, k * x.b + l * y.b, x.c};
 }
 
 Ball enclosure(const OneRoot& x) {
   if (x.is_rational()) return Ball(x.a);
-  return Ball(x.a) + Ball(x.b) * *sqrt(Ball(x.c));
+  const auto root = sqrt(Ball(x.c));
+  // A root beyond the range of long double leaves everything to the exact stage.
+  if (!root) return {0, std::numeric_limits<long double>::infinity()};
+  return Ball(x.a) + Ball(x.b) * *root;
 }
 
 int sign(const OneRoot& x) {
