@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/contour.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/contour_legs.h"
@@ -223,6 +224,63 @@ class Path {
   Point stands_;
 };
 
+// --- what would work --------------------------------------------------------------------------
+
+/// The stretch of legs that a fault speaks of, with the joints between them.
+ContourLegs stretch_of(const ContourLegs& legs, const ContourFault& f) {
+  std::size_t first = legs.legs.size();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < legs.legs.size(); ++i) {
+    const Leg& leg = legs.legs[i];
+    const bool named = leg.travel == Leg::Travel::Along &&
+                       (leg.element.item == f.item || leg.element.item == f.other);
+    if (!named) continue;
+    first = std::min(first, i);
+    last = i;
+  }
+  if (first > last) {  // the elements only bound others
+    first = 0;
+    last = legs.legs.size() - 1;
+  }
+  ContourLegs part;
+  part.steps = legs.steps;
+  const std::size_t base = legs.legs[first].from;
+  for (std::size_t j = base; j <= legs.legs[last].to; ++j) part.joints.push_back(legs.joints[j]);
+  for (std::size_t i = first; i <= last; ++i) {
+    Leg& leg = part.legs.emplace_back(legs.legs[i]);
+    leg.from -= base;
+    leg.to -= base;
+  }
+  return part;
+}
+
+/// The largest offset below the programmed one with which the stretch works: bisection over whole
+/// steps, each tried exactly. The programmed contour works, so 0 does.
+std::optional<Rational> largest_working_offset(const ContourLegs& legs, const ContourFault& f,
+                                               int side, const ContourOptions& options) {
+  const auto programmed =
+      std::find_if(legs.steps.begin(), legs.steps.end(), [](const auto& s) { return sgn(s) != 0; });
+  const Rational full = *programmed;
+  ContourLegs part = stretch_of(legs, f);
+  const auto works = [&](const Integer& steps) {
+    const Rational scale = Rational(steps) / (kOffsetStepsPerMillimetre * abs(full));
+    for (std::size_t i = 0; i < legs.steps.size(); ++i) part.steps[i] = scale * legs.steps[i];
+    const Shifts shifts = shifts_for(part, side);
+    Path path(part, shifts, options, true);
+    path.run();
+    return path.faults.empty();
+  };
+  Integer good = 0;
+  Integer bad = nearest_integer(kOffsetStepsPerMillimetre * abs(full)) + 1;
+  while (bad - good > 1) {
+    const Integer middle = (good + bad) / 2;
+    (works(middle) ? good : bad) = middle;
+  }
+  if (good == 0) return std::nullopt;
+  const Rational found = Rational(good) / kOffsetStepsPerMillimetre;
+  return sgn(full) < 0 ? Rational(-found) : found;
+}
+
 /// What is cut as part: without leads and rapids.
 bool is_part(const Move& move) {
   if (!move.cuts()) return false;
@@ -292,6 +350,8 @@ BuiltContour build_contour(const std::vector<ContourItem>& items, ToolState& sta
     Path equidistant(legs, shifts, options, true);
     out.moves = equidistant.run();
     out.faults = std::move(equidistant.faults);
+    for (ContourFault& f : out.faults)
+      f.largest_offset = largest_working_offset(legs, f, side, options);
     out.notices.insert(out.notices.end(), equidistant.notices.begin(), equidistant.notices.end());
     if (out.faults.empty()) state.at = equidistant.end();
   }

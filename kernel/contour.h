@@ -103,6 +103,10 @@ struct ToolState {
   bool straight_rapid = false;  ///< F0 in force
 };
 
+/// Offsets that would work are given in whole multiples of this, rounded down: finer than a kerf is
+/// ever known. Unit: mm.
+inline constexpr int kOffsetStepsPerMillimetre = 1000;
+
 // --- results ----------------------------------------------------------------------------------
 
 /// What is wrong with a contour; `item` and `other` count into the items and name the elements.
@@ -134,6 +138,9 @@ struct ContourFault {
   double measure = 0;           ///< mm
   bool on_equidistant = false;  ///< fine as programmed; the offset does it
   std::optional<Impossible> impossible;
+  /// When the offset does it: the largest W, a multiple of 1/kOffsetStepsPerMillimetre, and scaled
+  /// down together with any U, with which this stretch still works.
+  std::optional<Rational> largest_offset;
 };
 
 /// What the programmer should know although it works.
