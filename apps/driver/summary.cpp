@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/driver/summary.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace dgt {
+namespace {
+
+constexpr std::array<MoveKind, kMoveKinds> kKinds = {MoveKind::Line, MoveKind::Arc, MoveKind::Rapid,
+                                                     MoveKind::Dwell, MoveKind::Code};
+
+std::size_t index(MoveKind kind) { return static_cast<std::size_t>(kind); }
+
+/// The words of the text form in one language.
+struct Words {
+  std::array<const char*, kMoveKinds> kinds;
+  const char* moves;
+  const char* contours;
+  const char* pierces;
+  const char* cut;
+  const char* rapid;
+  const char* dwell;
+  const char* box;
+  const char* nothing;
+};
+
+const Words& words(Language language) {
+  static constexpr Words kEnglish = {
+      {"lines", "arcs", "rapids", "dwells", "codes"},
+      "moves: ",
+      "contours: ",
+      "pierces: ",
+      "cut: {:.3f} mm\n",
+      "rapid: {:.3f} mm\n",
+      "dwell: {:.3f} s\n",
+      "box: X {:.3f} … {:.3f}, Y {:.3f} … {:.3f} ({:.3f} × {:.3f}) mm\n",
+      "box: nothing moves\n"};
+  static constexpr Words kRussian = {
+      {"отрезков", "дуг", "холостых", "выдержек", "команд"},
+      "перемещения: ",
+      "контуров: ",
+      "врезок: ",
+      "резание: {:.3f} мм\n",
+      "холостой ход: {:.3f} мм\n",
+      "выдержки: {:.3f} с\n",
+      "габарит: X {:.3f} … {:.3f}, Y {:.3f} … {:.3f} ({:.3f} × {:.3f}) мм\n",
+      "габарит: движения нет\n"};
+  return language == Language::Russian ? kRussian : kEnglish;
+}
+
+}  // namespace
+
+Summary summarise(const Toolpath& path) {
+  Summary sum;
+  bool cutting = false;
+  for (const Move& move : path.moves) {
+    ++sum.moves.at(index(move.kind));
+    if (move.travels()) {
+      if (move.cuts() && !cutting) ++sum.pierces;
+      cutting = move.cuts();
+    }
+    if (move.seconds) sum.dwell += nearest_double(*move.seconds);
+  }
+  sum.contours = path.contours.size();
+  sum.length = lengths(path.moves);
+  sum.box = box_of(path.moves);
+  return sum;
+}
+
+std::string to_text(const Summary& sum, Language language) {
+  const Words& w = words(language);
+  std::string out = w.moves;
+  const auto append = [&out](const char* format, const auto&... values) {
+    fmt::format_to(std::back_inserter(out), fmt::runtime(format), values...);
+  };
+  for (const MoveKind kind : kKinds) {
+    append(kind == kKinds.front() ? "{} {}" : ", {} {}", w.kinds.at(index(kind)),
+           sum.moves.at(index(kind)));
+  }
+  append("\n{}{}\n{}{}\n", w.contours, sum.contours, w.pierces, sum.pierces);
+  append(w.cut, sum.length.cut);
+  append(w.rapid, sum.length.rapid);
+  if (sum.dwell > 0) append(w.dwell, sum.dwell);
+  const Box& box = sum.box;
+  if (box.empty()) return out + w.nothing;
+  append(w.box, box.left, box.right, box.bottom, box.top, box.width(), box.height());
+  return out;
+}
+
+std::string to_json(const Summary& sum) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"schema", "dgt-info/1"}, {"units", "mm"}, {"moves", Json::object()}};
+  for (const MoveKind kind : kKinds) json["moves"][name_of(kind)] = sum.moves.at(index(kind));
+  json["contours"] = sum.contours;
+  json["pierces"] = sum.pierces;
+  json["length"] = {{"cut", sum.length.cut}, {"rapid", sum.length.rapid}};
+  json["dwell"] = sum.dwell;
+  json["box"] = nullptr;
+  if (!sum.box.empty()) {
+    json["box"] = {{"min", {sum.box.left, sum.box.bottom}}, {"max", {sum.box.right, sum.box.top}}};
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace dgt

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "post/svg.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/moves.h"
+
+namespace dgt {
+namespace {
+
+using support::at;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A rapid to the part, a programmed square corner, and the same corner cut 1 mm outside.
+Toolpath corner_path() {
+  Toolpath path;
+  path.start = {-5, 0};
+  path.moves = {support::rapid(at(-5, 0), at(0, 1)), support::line(at(0, 1), at(9, 1)),
+                support::line(at(9, 1), at(9, 10))};
+  Contour contour;
+  contour.id = 1;
+  contour.first = 1;
+  contour.last = 3;
+  contour.programmed = {support::line(at(0, 0), at(10, 0)), support::line(at(10, 0), at(10, 10))};
+  path.contours = {contour};
+  return path;
+}
+
+Toolpath path_of(const Move& move) {
+  Toolpath path;
+  path.moves = {move};
+  return path;
+}
+
+/// The part of a drawing that belongs to one class.
+std::string group(const std::string& drawing, const std::string& name) {
+  const auto begin = drawing.find("<g class=\"" + name + "\"");
+  return drawing.substr(begin, drawing.find("</g>", begin) - begin);
+}
+
+TEST(DrawSvg, ProgrammedGreenEquidistantYellowRapidsDashed) {
+  const std::string drawing = draw_svg(corner_path());
+  const DrawingStyle style;
+  EXPECT_THAT(group(drawing, "programmed"), HasSubstr(style.programmed));
+  EXPECT_THAT(group(drawing, "programmed"), HasSubstr("d=\"M0 0 L10 0 L10 10\""));
+  EXPECT_THAT(group(drawing, "equidistant"), HasSubstr(style.equidistant));
+  EXPECT_THAT(group(drawing, "equidistant"), HasSubstr("d=\"M0 1 L9 1 L9 10\""));
+  EXPECT_THAT(group(drawing, "rapid"), HasSubstr("stroke-dasharray"));
+  EXPECT_THAT(group(drawing, "rapid"), HasSubstr("d=\"M-5 0 L0 1\""));
+  EXPECT_THAT(group(drawing, "start"), HasSubstr("d=\"M-5 0 h0\""));
+}
+
+TEST(DrawSvg, TheSheetHoldsBothContoursTheStartAndAMarginWithYUp) {
+  // 15 x 10 mm from (-5, 0) to (10, 10), a margin of 0.75 mm.
+  EXPECT_THAT(draw_svg(corner_path()), HasSubstr("viewBox=\"-5.75 -10.75 16.5 11.5\""));
+  EXPECT_THAT(draw_svg(corner_path()), HasSubstr("<g transform=\"scale(1,-1)\">"));
+}
+
+TEST(DrawSvg, ArcsAreArcCommandsWithSizeAndSense) {
+  const auto drawn = [](const Move& arc) { return draw_svg(path_of(arc)); };
+  EXPECT_THAT(drawn(support::arc({0, 0}, 5, at(4, 3), at(-3, 4))),
+              HasSubstr("M4 3 A5 5 0 0 1 -3 4\""));
+  EXPECT_THAT(drawn(support::arc({0, 0}, 5, at(-3, 4), at(4, 3))),
+              HasSubstr("M-3 4 A5 5 0 1 1 4 3\""));
+  EXPECT_THAT(drawn(support::arc({0, 0}, -5, at(-3, 4), at(4, 3))),
+              HasSubstr("M-3 4 A5 5 0 0 0 4 3\""));
+  EXPECT_THAT(drawn(support::arc({0, 0}, -5, at(4, 3), at(-3, 4))),
+              HasSubstr("M4 3 A5 5 0 1 0 -3 4\""));
+}
+
+TEST(DrawSvg, AFullCircleIsTwoHalves) {
+  EXPECT_THAT(draw_svg(path_of(support::full_circle({1, 0}, 5, at(6, 0)))),
+              HasSubstr("M6 0 A5 5 0 0 1 -4 0 A5 5 0 0 1 6 0\""));
+}
+
+TEST(DrawSvg, ARapidLiftsThePen) {
+  Toolpath path;
+  path.moves = {support::line(at(0, 0), at(1, 0)), support::rapid(at(1, 0), at(2, 0)),
+                support::line(at(2, 0), at(3, 0))};
+  EXPECT_THAT(group(draw_svg(path), "equidistant"), HasSubstr("M0 0 L1 0\nM2 0 L3 0\""));
+}
+
+TEST(DrawSvg, ADwellDoesNotLiftThePen) {
+  Toolpath path;
+  Move dwell;
+  dwell.kind = MoveKind::Dwell;
+  path.moves = {support::line(at(0, 0), at(1, 0)), dwell, support::line(at(1, 0), at(1, 1))};
+  EXPECT_THAT(group(draw_svg(path), "equidistant"), HasSubstr("M0 0 L1 0 L1 1\""));
+}
+
+TEST(DrawSvg, APathThatGoesNowhereStillHasASheet) {
+  const std::string drawing = draw_svg(Toolpath{});
+  EXPECT_THAT(drawing, HasSubstr("viewBox=\"-0.05 -0.05 0.1 0.1\""));
+  EXPECT_THAT(drawing, Not(HasSubstr("nan")));
+  EXPECT_THAT(drawing, Not(HasSubstr("inf")));
+}
+
+TEST(DrawSvg, TheSamePathGivesTheSameBytes) {
+  EXPECT_EQ(draw_svg(corner_path()), draw_svg(corner_path()));
+}
+
+}  // namespace
+}  // namespace dgt

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/command.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace dgt::support {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
+  all.push_back(nullptr);
+  return all;
+}
+
+void redirect(const std::string& file, int flags, int as) {
+  const int fd = ::open(file.c_str(), flags, 0600);
+  if (fd < 0 || ::dup2(fd, as) < 0) ::_exit(127);
+  ::close(fd);
+}
+
+// Files and not pipes hold the streams, so nothing can wait for the other side.
+struct Streams {
+  std::string in;
+  std::string out;
+  std::string err;
+};
+
+[[noreturn]] void become(std::vector<char*> arguments, std::vector<char*> environment,
+                         const Streams& streams, const fs::path& folder) {
+  redirect(streams.in, O_RDONLY, STDIN_FILENO);
+  redirect(streams.out, O_WRONLY | O_CREAT, STDOUT_FILENO);
+  redirect(streams.err, O_WRONLY | O_CREAT, STDERR_FILENO);
+  if (::chdir(folder.c_str()) == 0) ::execve(arguments[0], arguments.data(), environment.data());
+  ::_exit(127);
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw std::runtime_error("waitpid failed");
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Outcome run_dgt(const std::vector<std::string>& arguments, const CommandOptions& options) {
+  const TemporaryFolder folder;
+  Streams streams{folder.write("in", options.input), folder.name("out"), folder.name("err")};
+  if (!options.output_to.empty()) streams.out = options.output_to;
+
+  std::vector<std::string> words = {DGT_COMMAND};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const char* path = std::getenv("PATH");
+  std::vector<std::string> environment = {"LC_ALL=C.UTF-8",
+                                          std::string("PATH=") + (path != nullptr ? path : "")};
+  for (const std::string& entry : options.environment) {
+    const auto is_same = [name = entry.substr(0, entry.find('=') + 1)](const std::string& other) {
+      return other.starts_with(name);
+    };
+    std::erase_if(environment, is_same);
+    environment.push_back(entry);
+  }
+
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0) become(pointers(words), pointers(environment), streams, options.folder);
+  Outcome outcome;
+  outcome.exit_code = wait_for(child);
+  if (options.output_to.empty()) outcome.out = read_text(streams.out);
+  outcome.err = read_text(streams.err);
+  return outcome;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = fs::temp_directory_path() / "dgt-test-XXXXXX";
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& file, const std::string& text) const {
+  fs::create_directories((path_ / file).parent_path());
+  std::ofstream(path_ / file, std::ios::binary) << text;
+  return name(file);
+}
+
+std::vector<std::string> TemporaryFolder::entries() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename());
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::string corpus(const std::string& file) {
+  return fs::path(DGT_SOURCE_DIR) / "tests" / "corpus" / file;
+}
+
+}  // namespace dgt::support
