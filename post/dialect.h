@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/toolpath.h"
+
+/// What a control reads, as data.
+namespace dgt {
+
+enum class Form : std::uint8_t { Essi, Gcode };
+enum class Positions : std::uint8_t { Incremental, Absolute };
+enum class ArcForm : std::uint8_t {
+  Radius,  ///< end, whole radius, which arc, which sense
+  Centre   ///< end, centre counted from the written start
+};
+enum class TorchPolicy : std::uint8_t {
+  Automatic,  ///< on before the first cut, off before a rapid and at the end; a program that says
+              ///< torch codes itself is left alone
+  Program     ///< only what the program says
+};
+enum class DwellUnit : std::uint8_t { Seconds, Milliseconds };
+
+/// A code of the program and the words the control has for it.
+struct CodeWord {
+  std::string code;  ///< as in Move::code without leading zeros: `M7`, `53`
+  std::string words;
+};
+
+struct Dialect {
+  std::string name;
+  Form form = Form::Gcode;
+  Positions positions = Positions::Incremental;
+  ArcForm arc_form = ArcForm::Centre;
+
+  Rational unit{1, 10};  ///< the least step, in mm
+  /// Longer arcs are divided, in degrees; at most 180. An arc that is exact on the grid is not.
+  double max_arc_degrees = 180;
+  /// The two radii of a centre-form arc differ by no more, in mm.
+  Rational radius_mismatch{1, 20};
+
+  std::vector<std::string> header;
+  std::vector<std::string> footer;
+  std::string line_end = "\n";
+
+  TorchPolicy torch = TorchPolicy::Automatic;
+  std::string torch_on;
+  std::string torch_off;
+  std::vector<std::string> torch_on_codes;   ///< written as torch_on
+  std::vector<std::string> torch_off_codes;  ///< written as torch_off
+  std::vector<std::string> own_torch_codes;  ///< written as they are, but torch codes all the same
+  std::vector<CodeWord> codes;               ///< further codes that are translated
+  std::string passed_letters;                ///< codes that begin so are written as they are
+  int passed_numbers_below = 0;              ///< codes without a letter, written as they are
+  std::string dropped_letters;               ///< taken from the control's settings: one note
+
+  bool writes_feed = false;     ///< false: F comes from the control's settings, one note
+  bool needs_feed = false;      ///< a feed must be said before the first cut
+  RationalPtr feed;             ///< mm/min for all cuts, instead of the program's
+  Rational default_feed{1000};  ///< mm/min where needs_feed and the program says none
+  bool writes_height = false;
+  std::string dwell_word;  ///< with the letter of the time: `G04 P`; empty: cannot dwell
+  DwellUnit dwell_unit = DwellUnit::Seconds;
+};
+
+/// `essi`, `plasmatic`, `linuxcnc`, in this order.
+[[nodiscard]] const std::vector<Dialect>& dialects();
+/// Null when there is none of that name.
+[[nodiscard]] const Dialect* find_dialect(std::string_view name);
+
+/// What a dialect makes of a code of the program.
+struct CodeMeaning {
+  enum class Kind : std::uint8_t {
+    Words,     ///< write `words`
+    TorchOn,   ///< write `words`
+    TorchOff,  ///< write `words`
+    End,       ///< M2, M30: nothing may follow; the writer ends programs itself
+    Dropped,   ///< taken from the control's settings
+    Unknown
+  };
+  Kind kind = Kind::Unknown;
+  std::string words;
+  bool torch = false;  ///< a torch code: the program switches its torch itself
+};
+[[nodiscard]] CodeMeaning meaning_of(const Dialect& dialect, std::string_view code);
+
+}  // namespace dgt

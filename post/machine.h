@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "post/dialect.h"
+
+/// Settings of a machine that change its dialect: `key=value`.
+namespace dgt {
+
+struct Setting {
+  std::string key;
+  std::string value;
+};
+
+struct SettingFault {
+  enum class Kind : std::uint8_t {
+    NoValue,     ///< not of the form `key=value`
+    UnknownKey,  ///< `nearest` is the known key most like it
+    BadValue     ///< `expected` says what would be right
+  };
+  Kind kind;
+  std::string key;
+  std::string value;
+  std::string nearest;
+  std::string expected;  ///< `0.0001…100`, `auto|program`
+};
+
+/// One key of a dialect. `expected` is what its values look like, for messages and for help.
+struct SettingKey {
+  std::string_view key;
+  std::string_view expected;
+};
+[[nodiscard]] std::span<const SettingKey> dialect_settings();
+
+/// Splits `key=value` at the first `=`.
+[[nodiscard]] tl::expected<Setting, SettingFault> parse_setting(std::string_view text);
+
+/// The dialect with one setting changed.
+[[nodiscard]] tl::expected<Dialect, SettingFault> with_setting(Dialect dialect,
+                                                               const Setting& setting);
+
+/// The known key with the least edit distance from `key`; of equals the first. Empty for no keys.
+[[nodiscard]] std::string_view nearest_key(std::string_view key,
+                                           std::span<const std::string_view> known);
+
+}  // namespace dgt
