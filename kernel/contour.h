@@ -84,6 +84,8 @@ struct ContourItem {
 // --- options and state ------------------------------------------------------------------------
 
 enum class OffsetSide : std::uint8_t { Auto, Left, Right };
+/// What a tool that cuts into the contour is.
+enum class GougePolicy : std::uint8_t { Error, Warn };
 
 struct ContourOptions {
   /// Where W > 0 lies; Auto: on the side of the first element where the tool stands before the
@@ -92,6 +94,7 @@ struct ContourOptions {
   /// Offset elements that miss each other by at most this, in mm, are joined at the closest points
   /// with a notice. Default 0.001: a tenth of what a wire machine can show.
   Rational join_tolerance = Rational(1, 1000);
+  GougePolicy gouge = GougePolicy::Error;
 };
 
 /// What the machine carries from one contour to the next.
@@ -130,7 +133,9 @@ struct ContourFault {
     ZeroArc,          ///< an arc that begins and ends at one point
     RapidArc,         ///< an arc while straight moves are rapid (F0)
     OffElement,       ///< D from a point that is not on the line; measure: distance
-    ZeroValue         ///< a fillet or chamfer of 0
+    ZeroValue,        ///< a fillet or chamfer of 0
+    Overrun,  ///< the ends of the arc pass each other: the tool does not fit between its neighbours
+    Gouge     ///< beside item the tool cuts into other; measure: how deep; at x, y
   };
   Kind kind;
   std::size_t item = 0;
@@ -141,14 +146,16 @@ struct ContourFault {
   /// When the offset does it: the largest W, a multiple of 1/kOffsetStepsPerMillimetre, and scaled
   /// down together with any U, with which this stretch still works.
   std::optional<Rational> largest_offset;
+  double x = 0, y = 0;  ///< of a gouge: where the tool stands, mm
 };
 
 /// What the programmer should know although it works.
 struct ContourNotice {
   enum class Kind : std::uint8_t {
-    SideChosen,       ///< by the position of the tool relative to the element `item`
-    JoinedGap,        ///< item and other miss each other by `measure` and were joined
-    AgainstDirection  ///< the line `item` is cut against its direction while W ≠ 0
+    SideChosen,        ///< by the position of the tool relative to the element `item`
+    JoinedGap,         ///< item and other miss each other by `measure` and were joined
+    AgainstDirection,  ///< the line `item` is cut against its direction while W ≠ 0
+    Gouge              ///< as the fault, when gouges only warn
   };
   Kind kind;
   std::size_t item = 0;
@@ -156,6 +163,8 @@ struct ContourNotice {
   double measure = 0;  ///< mm
   Side side = Side::None;
   bool on_equidistant = false;
+  std::optional<Rational> largest_offset{};
+  double x = 0, y = 0;
 };
 
 struct BuiltContour {

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "contour_notation.h"
 
 namespace dgt::notation {
@@ -301,6 +303,86 @@ TEST_F(ContourTest, ClosedWhenTheEndLiesOnTheFirstLeg) {
                             along(left), axis(horizontal("3"))},
                            at("-9", "9"));
   EXPECT_TRUE(built.closed) << text(built.moves);
+}
+
+// A U-shaped slot, 4 wide, entered and left by lines that the tool's neighbours do not know of.
+class GougeTest : public ContourTest {
+ protected:
+  BuiltContour slot(const std::string& offset, const ContourOptions& options = {}) {
+    return build({w(offset), along(vertical("-20")), along(horizontal("0")), along(vertical("0")),
+                  along(circle("2", "-10", "2")), along(minus(vertical("4"))),
+                  along(horizontal("0")), along(minus(vertical("20")))},
+                 at("-15", "5"), options);
+  }
+};
+
+TEST_F(GougeTest, SlotExactlyAsWideAsTheToolIsNone) {
+  const auto built = slot("1.999");
+  EXPECT_THAT(built.faults, IsEmpty()) << text(built.faults);
+}
+
+TEST_F(GougeTest, SlotNarrowerThanTheToolNamesBothSidesAndWhatFits) {
+  // The round end would be eaten first; a flat end is not, and the sides still meet it.
+  const auto built =
+      build({w("2.1"), along(vertical("-20")), along(horizontal("0")), along(vertical("0")),
+             axis(horizontal("-10")), axis(horizontal("-10")), along(minus(vertical("4"))),
+             along(horizontal("0")), along(minus(vertical("20")))},
+            at("-15", "5"));
+  ASSERT_FALSE(built.faults.empty());
+  const auto& fault = built.faults.front();
+  EXPECT_EQ(fault.kind, Kind::Gouge);
+  EXPECT_NEAR(fault.measure, 0.2, 1e-9);  // 2.1 − (4 − 2.1)
+  EXPECT_EQ(fault.item, 3U);
+  EXPECT_EQ(fault.other, 6U);
+  EXPECT_EQ(fault.largest_offset, Rational(2));
+}
+
+TEST_F(GougeTest, SampleOneRefusesAToolWiderThanItsSlots) {
+  std::vector<What> hub{w("2.1")};
+  const auto top_side = horizontal("2");
+  const auto bottom_side = minus(horizontal("-2"));
+  const auto lobe = circle("14", "0", "-5");
+  const auto rim = circle("0", "0", "-7");
+  for (const char* angle : {"0", "-60", "-120", "-180", "-240", "-300"}) {
+    for (const auto& e : {top_side, lobe, bottom_side, rim}) hub.push_back(along(turned(e, angle)));
+  }
+  hub.push_back(along(top_side));
+  hub.push_back(along(lobe));
+  const auto built = build(hub, at("14", "0"));
+  ASSERT_FALSE(built.faults.empty());
+  EXPECT_EQ(built.faults.front().kind, Kind::Gouge);
+  // At exactly 2 the lobes would be whole circles, which a radius and two ends cannot say.
+  EXPECT_EQ(built.faults.front().largest_offset, Rational(1999, 1000));
+  hub.front() = w("2");
+  EXPECT_EQ(build(hub, at("14", "0")).faults.front().kind, Kind::Overrun);
+  hub.front() = w("1.999");
+  EXPECT_THAT(build(hub, at("14", "0")).faults, IsEmpty());
+}
+
+TEST_F(GougeTest, MayOnlyWarn) {
+  ContourOptions options;
+  options.gouge = GougePolicy::Warn;
+  const auto built =
+      build({w("2.1"), along(vertical("-20")), along(horizontal("0")), along(vertical("0")),
+             axis(horizontal("-10")), axis(horizontal("-10")), along(minus(vertical("4"))),
+             along(horizontal("0")), along(minus(vertical("20")))},
+            at("-15", "5"), options);
+  EXPECT_THAT(built.faults, IsEmpty());
+  EXPECT_TRUE(std::any_of(built.notices.begin(), built.notices.end(),
+                          [](const auto& n) { return n.kind == ContourNotice::Kind::Gouge; }));
+  EXPECT_FALSE(built.moves.empty());
+}
+
+TEST_F(GougeTest, LeadBeyondTheMeetingIsNoPart) {
+  // KVAD cut whole: it begins on the left side above the square and ends on it.
+  const auto side = [](const std::string& x) { return vertical(x); };
+  const auto built =
+      build({w("3"), to("5", "5"), rapid(), along(side("10")), chamfer("6"),
+             along(horizontal("-40")), chamfer("6"), along(minus(side("40"))), chamfer("6"),
+             along(minus(horizontal("-10"))), chamfer("6"), along(side("10"))});
+  EXPECT_THAT(built.faults, IsEmpty()) << text(built.faults);
+  EXPECT_TRUE(built.closed);
+  EXPECT_EQ(built.side, Side::Right);
 }
 
 }  // namespace

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace dgt {
+
+/// An axis-parallel box in mm.
+struct Box {
+  double min_x = 0;
+  double min_y = 0;
+  double max_x = 0;
+  double max_y = 0;
+
+  [[nodiscard]] Box united(const Box& b) const {
+    return {std::min(min_x, b.min_x), std::min(min_y, b.min_y), std::max(max_x, b.max_x),
+            std::max(max_y, b.max_y)};
+  }
+  [[nodiscard]] Box grown(double by) const {
+    return {min_x - by, min_y - by, max_x + by, max_y + by};
+  }
+  [[nodiscard]] bool overlaps(const Box& b) const {
+    return min_x <= b.max_x && b.min_x <= max_x && min_y <= b.max_y && b.min_y <= max_y;
+  }
+};
+
+/// Boxes in contour order under a tree of fours. Neighbours on a contour are neighbours in the
+/// plane, so the order of the contour serves as it is: no sorting, n boxes in 4n/3 nodes, built in
+/// one pass.
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Box> boxes) {
+    levels_.push_back(std::move(boxes));
+    while (levels_.back().size() > 1) {
+      const std::vector<Box>& below = levels_.back();
+      std::vector<Box> level;
+      level.reserve((below.size() + 3) / 4);
+      for (std::size_t i = 0; i < below.size(); i += 4) {
+        Box box = below[i];
+        for (std::size_t j = i + 1; j < std::min(i + 4, below.size()); ++j)
+          box = box.united(below[j]);
+        level.push_back(box);
+      }
+      levels_.push_back(std::move(level));
+    }
+  }
+
+  /// Calls `visit(index)` for each box that overlaps `box`, in contour order.
+  template <class Visit>
+  void overlapping(const Box& box, Visit&& visit) const {
+    if (!levels_.front().empty()) descend(levels_.size() - 1, 0, box, visit);
+  }
+
+ private:
+  template <class Visit>
+  void descend(std::size_t level, std::size_t index, const Box& box, Visit& visit) const {
+    if (!levels_[level][index].overlaps(box)) return;
+    if (level == 0) {
+      visit(index);
+      return;
+    }
+    const std::size_t end = std::min(4 * index + 4, levels_[level - 1].size());
+    for (std::size_t i = 4 * index; i < end; ++i) descend(level - 1, i, box, visit);
+  }
+
+  std::vector<std::vector<Box>> levels_;  // the boxes first, the root last
+};
+
+}  // namespace dgt

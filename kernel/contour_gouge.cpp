@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/contour_path.h"
+#include "kernel/gouge.h"
+
+namespace dgt {
+namespace {
+
+/// Reports of one contour: what is wrong shows in the first, and a slot too narrow makes hundreds.
+constexpr std::size_t kMaxGouges = 10;
+
+/// The part's cut of a path, with what lies before or beyond its own meeting taken off: that is
+/// lead.
+std::vector<CutPiece> cut_of(const ContourLegs& legs, const std::vector<Move>& moves,
+                             const std::vector<std::size_t>& leg_of_move) {
+  std::vector<CutPiece> pieces;
+  const Move* first = nullptr;
+  const Move* last = nullptr;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const Leg& leg = legs.legs[leg_of_move[i]];
+    if (!is_part(moves[i]) || leg.travel != Leg::Travel::Along) continue;
+    if (!first) first = &moves[i];
+    last = &moves[i];
+    const double reach = nearest_double(abs(legs.steps[leg.element.step]));
+    pieces.push_back({piece_of(moves[i]), reach, leg.element.item});
+  }
+  if (!first || first == last || first->from == last->to) return pieces;
+  if (covers(*first, last->to)) {
+    pieces.front().piece.x0 = last->to.x();
+    pieces.front().piece.y0 = last->to.y();
+  } else if (covers(*last, first->from)) {
+    pieces.back().piece.x1 = first->from.x();
+    pieces.back().piece.y1 = first->from.y();
+  }
+  return pieces;
+}
+
+/// By how much the steps of `part` are those of `legs` scaled down.
+double scale_of(const ContourLegs& part, const ContourLegs& legs) {
+  std::size_t i = 0;
+  while (sgn(legs.steps[i]) == 0) ++i;
+  return nearest_double(Rational(part.steps[i] / legs.steps[i]));
+}
+
+/// Near misses were joined within their tolerance: the tool is nearer by that much there.
+double joined_gap(const BuiltContour& out) {
+  double gap = 0;
+  for (const ContourNotice& notice : out.notices) {
+    if (notice.kind == ContourNotice::Kind::JoinedGap) gap = std::max(gap, notice.measure);
+  }
+  return gap;
+}
+
+}  // namespace
+
+/// The stretch of legs that a fault speaks of, with the joints between them.
+ContourLegs stretch_of(const ContourLegs& legs, const ContourFault& f) {
+  std::size_t first = legs.legs.size();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < legs.legs.size(); ++i) {
+    const Leg& leg = legs.legs[i];
+    const bool named = leg.travel == Leg::Travel::Along &&
+                       (leg.element.item == f.item || leg.element.item == f.other);
+    if (!named) continue;
+    first = std::min(first, i);
+    last = i;
+  }
+  if (first > last) {  // the elements only bound others
+    first = 0;
+    last = legs.legs.size() - 1;
+  }
+  ContourLegs part;
+  part.steps = legs.steps;
+  const std::size_t base = legs.legs[first].from;
+  for (std::size_t j = base; j <= legs.legs[last].to; ++j) part.joints.push_back(legs.joints[j]);
+  for (std::size_t i = first; i <= last; ++i) {
+    Leg& leg = part.legs.emplace_back(legs.legs[i]);
+    leg.from -= base;
+    leg.to -= base;
+  }
+  return part;
+}
+
+void check_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
+                  const Path& programmed, const Path& equidistant, BuiltContour& out) {
+  const std::vector<CutPiece> contour = cut_of(legs, out.programmed, programmed.leg_of_move);
+  const std::vector<CutPiece> path = cut_of(legs, out.moves, equidistant.leg_of_move);
+  const double tolerance = joined_gap(out);
+  std::vector<Gouge> gouges = find_gouges(path, contour, tolerance);
+  if (gouges.size() > kMaxGouges) gouges.resize(kMaxGouges);
+  if (!gouges.empty() && options.gouge == GougePolicy::Error) out.faults.clear();
+  for (const Gouge& gouge : gouges) {
+    ContourFault fault{};
+    fault.kind = ContourFault::Kind::Gouge;
+    fault.item = path[gouge.path].item;
+    fault.other = contour[gouge.programmed].item;
+    const auto keeps_away = [&](const ContourLegs& part, const Shifts& by) {
+      Path moved(part, by, options, true);
+      const std::vector<Move> moves = moved.run();
+      if (!moved.faults.empty()) return false;
+      CutPiece other = contour[gouge.programmed];
+      other.reach *= scale_of(part, legs);
+      const std::vector<CutPiece> cut = cut_of(part, moves, moved.leg_of_move);
+      return find_gouges(cut, {other}, tolerance).empty();
+    };
+    fault.largest_offset = largest_offset(stretch_of(legs, fault), side, keeps_away);
+    fault.measure = gouge.depth;
+    fault.on_equidistant = true;
+    fault.x = gouge.x;
+    fault.y = gouge.y;
+    if (options.gouge == GougePolicy::Error) {
+      out.faults.push_back(fault);
+      continue;
+    }
+    ContourNotice notice{ContourNotice::Kind::Gouge, fault.item, fault.other, fault.measure};
+    notice.on_equidistant = true;
+    notice.largest_offset = fault.largest_offset;
+    notice.x = fault.x;
+    notice.y = fault.y;
+    out.notices.push_back(notice);
+  }
+}
+
+}  // namespace dgt

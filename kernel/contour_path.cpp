@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/contour_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgt {
+namespace {
+
+using Kind = ContourFault::Kind;
+
+/// Motion along a line: +1 with its direction, −1 against it. Exact: both points lie on the line,
+/// and correctly rounded doubles that differ are ordered as the exact coordinates.
+int motion_along(const Line& line, const Point& from, const Point& to) {
+  const UnitVector d = line.direction();
+  const bool by_x = abs(d.x()) > abs(d.y());
+  const double way = by_x ? to.x() - from.x() : to.y() - from.y();
+  const int heading = by_x ? sgn(d.x()) : sgn(d.y());
+  return way > 0 ? heading : way < 0 ? -heading : 0;
+}
+
+bool goes_nowhere(const Leg& leg, const Point& from, const Point& to) {
+  return !leg.full_circle && indistinct(from, to);
+}
+
+}  // namespace
+
+Shifts shifts_for(const ContourLegs& legs, int side) {
+  Shifts shifts;
+  for (const Rational& step : legs.steps)
+    shifts.push_back(sgn(step) == 0 ? nullptr : shared(side * step));
+  return shifts;
+}
+
+std::vector<Move> Path::run() {
+  // Which elements the offset eats is known before any joint is placed on them.
+  for (const Leg& leg : legs_.legs)
+    if (leg.travel == Leg::Travel::Along) check_survival(leg.element);
+  for (const Joint& joint : legs_.joints) place(joint);
+  if (!faults.empty()) return {};
+  std::vector<Move> moves;
+  moves.reserve(legs_.legs.size());
+  stands_ = points_.front();
+  for (const Leg& leg : legs_.legs) emit(leg, moves);
+  return moves;
+}
+
+bool Path::eaten(const UsedElement& used) const {
+  const RationalPtr& shift = shifts_[used.step];
+  const auto* circle = std::get_if<Circle>(used.element.get());
+  return shift && circle && !circle->survives_offset(*shift);
+}
+
+void Path::check_survival(const UsedElement& used) {
+  if (!eaten(used)) return;
+  const auto& circle = std::get<Circle>(*used.element);
+  report(Kind::Eaten, used.item,
+         nearest_double(Rational(abs(*shifts_[used.step]) - abs(circle.radius()))));
+}
+
+void Path::place(const Joint& joint) {
+  // Programmed joints are known; only the offset moves them.
+  if (!equidistant_ || std::holds_alternative<FixedJoint>(joint.rule)) {
+    points_.push_back(joint.programmed);
+    return;
+  }
+  if (rests_on_eaten(joint)) {
+    points_.push_back(joint.programmed);
+    return;
+  }
+  PlacedJoint placed = place_joint(joint, shifts_, options_);
+  if (placed.fault) {
+    placed.fault->on_equidistant = true;
+    faults.push_back(*placed.fault);
+  }
+  if (placed.notice) {
+    placed.notice->on_equidistant = true;
+    notices.push_back(*placed.notice);
+  }
+  points_.push_back(placed.at.value_or(joint.programmed));
+}
+
+/// An eaten element may only bound another: it is reported here then.
+bool Path::rests_on_eaten(const Joint& joint) {
+  const auto check = [this](const UsedElement& used) {
+    if (!eaten(used)) return false;
+    const bool known = std::any_of(faults.begin(), faults.end(), [&](const ContourFault& f) {
+      return f.kind == Kind::Eaten && f.item == used.item;
+    });
+    if (!known) check_survival(used);
+    return true;
+  };
+  return std::visit(
+      [&](const auto& rule) {
+        if constexpr (requires { rule.a; })
+          return static_cast<bool>(check(rule.a) | check(rule.b));
+        else if constexpr (requires { rule.on; })
+          return check(rule.on);
+        else
+          return false;
+      },
+      joint.rule);
+}
+
+void Path::emit(const Leg& leg, std::vector<Move>& moves) {
+  if (leg.travel == Leg::Travel::Stop) {
+    emit_stop(leg, moves);
+    return;
+  }
+  const Point& to = points_[leg.to];
+  const bool along = leg.travel == Leg::Travel::Along;
+  const bool on_line = !along || std::holds_alternative<Line>(*leg.element.element);
+  if (goes_nowhere(leg, stands_, to)) {
+    if (!on_line) report(grows(leg) ? Kind::Overrun : Kind::ZeroArc, leg.element.item);
+    return;
+  }
+  Move& move = moves.emplace_back();
+  move.kind = leg.rapid ? MoveKind::Rapid : on_line ? MoveKind::Line : MoveKind::Arc;
+  move.role = leg.role;
+  move.full_circle = leg.full_circle;
+  move.from = stands_;
+  move.to = to;
+  if (along) move.carrier = {leg.element.element, shifts_[leg.element.step]};
+  move.z = leg.z;
+  move.feed = leg.feed;
+  move.source = leg.place;
+  if (along) check_motion(leg, move);
+  stands_ = to;
+  leg_of_move.push_back(static_cast<std::size_t>(&leg - legs_.legs.data()));
+}
+
+/// Whether the arc of a leg would vanish by growing to a full turn rather than by shrinking.
+bool Path::grows(const Leg& leg) const {
+  const Point& from = legs_.joints[leg.from].programmed;
+  const Point& to = legs_.joints[leg.to].programmed;
+  if (!equidistant_ || indistinct(from, to)) return false;
+  return std::fabs(coarse_sweep(std::get<Circle>(*leg.element.element), from, to)) > 180;
+}
+
+void Path::emit_stop(const Leg& leg, std::vector<Move>& moves) {
+  leg_of_move.push_back(static_cast<std::size_t>(&leg - legs_.legs.data()));
+  Move& move = moves.emplace_back();
+  move.kind = leg.seconds ? MoveKind::Dwell : MoveKind::Code;
+  move.from = move.to = stands_;
+  move.seconds = leg.seconds;
+  move.code = leg.code;
+  move.source = leg.place;
+}
+
+/// The offset may turn a leg over: then it has eaten it, although all joints exist.
+void Path::check_motion(const Leg& leg, const Move& move) {
+  if (!equidistant_ || leg.full_circle) return;
+  const Point& from = legs_.joints[leg.from].programmed;
+  const Point& to = legs_.joints[leg.to].programmed;
+  if (const auto* line = std::get_if<Line>(leg.element.element.get())) {
+    const int now = motion_along(*line, move.from, move.to);
+    const int programmed = indistinct(from, to) ? 1 : motion_along(*line, from, to);
+    if (now != programmed) {
+      report(Kind::Eaten, leg.element.item, dgt::length(move));
+    } else if (now < 0) {
+      ContourNotice notice{ContourNotice::Kind::AgainstDirection, leg.element.item};
+      notice.on_equidistant = true;
+      notices.push_back(notice);
+    }
+    return;
+  }
+  // The sweep changes continuously with the offset and by far less than half a turn, so a change
+  // of more than half a turn is the jump of 360° at a sweep of 0.
+  const auto& circle = std::get<Circle>(*leg.element.element);
+  const double before = coarse_sweep(circle, from, to);
+  const double after = coarse_sweep(circle, move.from, move.to);
+  if (std::fabs(after - before) > 180)
+    report(std::fabs(before) > 180 ? Kind::Overrun : Kind::Eaten, leg.element.item);
+}
+
+void Path::report(Kind kind, std::size_t item, double measure) {
+  ContourFault f{};
+  f.kind = kind;
+  f.item = item;
+  f.measure = measure;
+  f.on_equidistant = equidistant_;
+  faults.push_back(f);
+}
+
+/// What is cut as part: without leads and rapids.
+bool is_part(const Move& move) {
+  if (!move.cuts()) return false;
+  return move.role == Role::Contour || move.role == Role::Fillet || move.role == Role::Chamfer ||
+         move.role == Role::Tangent;
+}
+
+/// Whether `p` lies on the stretch that `move` covers. The carrier is decided exactly; along it
+/// doubles order points whose exact positions they round.
+bool covers(const Move& move, const Point& p) {
+  if (!move.carrier.base || !lies_on(move.carrier.element(), p)) return false;
+  if (move.kind == MoveKind::Line) {
+    const auto between = [](double a, double b, double x) {
+      return std::min(a, b) <= x && x <= std::max(a, b);
+    };
+    return between(move.from.x(), move.to.x(), p.x()) && between(move.from.y(), move.to.y(), p.y());
+  }
+  const Circle circle = move.circle();
+  return move.full_circle || std::fabs(coarse_sweep(circle, move.from, p)) <=
+                                 std::fabs(coarse_sweep(circle, move.from, move.to));
+}
+
+}  // namespace dgt
