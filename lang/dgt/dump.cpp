@@ -6,7 +6,7 @@
 #include "lang/dgt/lexer.h"
 #include "lang/dgt/line_parser.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 // Digits of a decimal are never cut: a source number has finitely many.
@@ -140,4 +140,4 @@ std::string print_syntax(const Program& program) {
   return out;
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -5,7 +5,7 @@
 
 #include "lang/dgt/syntax.h"
 
-namespace dgt {
+namespace dgt::language {
 
 /// One line per source line that has words: its number, then its words as kind and canonical
 /// spelling, `8: A-60 , L1 C2 L-2 C-1`.
@@ -19,4 +19,4 @@ namespace dgt {
 /// An item in canonical spelling: `L-2`, `X5Y7`, `V`, `I3`.
 [[nodiscard]] std::string to_text(const Item& item);
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 using enum Recipe;
@@ -122,4 +122,4 @@ bool is_operand_of(ElementKind result, char letter) {
   });
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dgt {
+namespace dgt::language {
 
 /// What a definition can define; the value is its letter in the source.
 enum class ElementKind : char { Line = 'L', Circle = 'C', Point = 'P', Frame = 'O' };
@@ -80,4 +80,4 @@ struct FormMismatch {
 /// Whether some form of `result` has an operand of this letter.
 [[nodiscard]] bool is_operand_of(ElementKind result, char letter);
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -9,7 +9,7 @@
 
 #include "lang/text/encoding.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 constexpr std::string_view kLetters = "ABCDFGIKLMNOPRSTUVWXYZ";
@@ -328,4 +328,4 @@ void Lexer::report_unknown_characters() {
   }
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

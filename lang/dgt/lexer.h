@@ -8,7 +8,7 @@
 #include "lang/dgt/word.h"
 #include "lang/text/diagnostic.h"
 
-namespace dgt {
+namespace dgt::language {
 
 /// Cuts a DGT source into words, line by line, in one pass. Blanks, comments and the case of
 /// letters are gone from what it gives; Cyrillic look-alikes have become Latin letters, each with a
@@ -66,4 +66,4 @@ class Lexer {
   Line* line_ = nullptr;
 };
 
-}  // namespace dgt
+}  // namespace dgt::language

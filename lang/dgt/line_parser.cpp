@@ -5,7 +5,7 @@
 
 #include "kernel/check.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 constexpr std::string_view kContourLetters = "LCPXYRVDZAOWUGFSTMI";
@@ -13,25 +13,6 @@ constexpr std::string_view kContourLetters = "LCPXYRVDZAOWUGFSTMI";
 bool is_element_letter(char c) { return c == 'L' || c == 'C' || c == 'P' || c == 'O'; }
 
 }  // namespace
-
-Number number_of(const Word& word) {
-  Number number;
-  number.form = word.form;
-  number.minus = word.minus;
-  constexpr std::int64_t kLargestPlain = 1'000'000'000;
-  if (word.form == NumberForm::None) return number;
-  if (word.scale == 0 && word.digits >= 0 && word.digits <= kLargestPlain) {
-    number.whole = static_cast<std::int32_t>(word.digits);
-    return number;
-  }
-  Rational value = word.magnitude();
-  if (value.get_den() == 1 && value <= Rational(1'000'000'000)) {
-    number.whole = static_cast<std::int32_t>(value.get_num().get_si());
-  } else {
-    number.exact = std::make_shared<const Rational>(std::move(value));
-  }
-  return number;
-}
 
 void LineParser::fail(Diagnostic diagnostic) {
   if (diagnostic.severity() == Severity::Error) broken_ = true;
@@ -89,4 +70,4 @@ Statement::Body LineParser::parse_item_line() {
   return line;
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -9,7 +9,7 @@
 #include "lang/dgt/syntax.h"
 #include "lang/text/diagnostic.h"
 
-namespace dgt {
+namespace dgt::language {
 
 /// Parses the words of one line. A fault is reported, the words it spoils are skipped, and the rest
 /// of the line is read on, so that a line may show several independent faults.
@@ -64,11 +64,8 @@ class LineParser {
   std::size_t at_ = 0;
 };
 
-/// The number of a word, as the syntax keeps it.
-[[nodiscard]] Number number_of(const Word& word);
-
 /// Letters that end an inline point's first half: X and Y side by side become one item.
 /// `any_order`: Y may come first.
 void join_coordinates(std::vector<Item>& items, bool any_order);
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -4,7 +4,7 @@
 #include "lang/dgt/lexer.h"
 #include "lang/dgt/line_parser.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -90,4 +90,4 @@ std::optional<Statement> parse_spliced(std::span<const Word> words, bool broken,
   return LineParser(words, broken, bag).parse();
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

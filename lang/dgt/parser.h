@@ -7,7 +7,7 @@
 #include "lang/dgt/syntax.h"
 #include "lang/text/diagnostic.h"
 
-namespace dgt {
+namespace dgt::language {
 
 /// Parses a whole source. Every fault is reported and the next line taken; a line with a fault
 /// stays in the program, marked broken, so that what it was to make is not missed a second time.
@@ -19,4 +19,4 @@ namespace dgt {
 [[nodiscard]] std::optional<Statement> parse_spliced(std::span<const Word> words, bool broken,
                                                      DiagnosticBag& bag);
 
-}  // namespace dgt
+}  // namespace dgt::language

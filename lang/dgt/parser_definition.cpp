@@ -5,7 +5,7 @@
 
 #include "lang/dgt/line_parser.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 constexpr std::string_view kOperandLetters = "LCPXYRDAMI";
@@ -102,4 +102,4 @@ void LineParser::report_mismatch(const Definition& definition, std::string_view 
         {std::string(1, static_cast<char>(definition.kind)), patterns}});
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -5,7 +5,7 @@
 
 #include "lang/dgt/line_parser.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 bool is_element(char letter) {
@@ -131,4 +131,4 @@ void join_coordinates(std::vector<Item>& items, bool any_order) {
   items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

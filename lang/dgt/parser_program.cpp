@@ -3,7 +3,7 @@
 // Lines that steer the program: variables, loops, macros, definition files.
 #include "lang/dgt/line_parser.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 // The index of an N word; 0 when it is none.
@@ -160,4 +160,4 @@ Statement::Body LineParser::parse_definition_file() {
   return file;
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -12,7 +12,7 @@
 #include "lang/text/source_file.h"
 
 /// The syntax of a DGT program: what its lines say, before anything is computed.
-namespace dgt {
+namespace dgt::language {
 
 inline constexpr int kVariableCount = 30;  ///< N1…N30 and B1…B30
 inline constexpr int kMaxElementNumber = 9999;
@@ -27,6 +27,9 @@ struct Number {
   [[nodiscard]] bool is_absent() const { return form == NumberForm::None; }
   [[nodiscard]] bool is_variable() const { return form == NumberForm::Variable; }
 };
+
+/// The number of a word.
+[[nodiscard]] Number number_of(const Word& word);
 
 /// A letter with its number, as operand of a definition or item of a contour. An inline `X5 Y7` is
 /// one item with the letter P; a selector `X>` is `I3`.
@@ -128,4 +131,4 @@ struct Program {
   std::vector<Statement> statements;
 };
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -3,7 +3,7 @@
 
 #include "kernel/check.h"
 
-namespace dgt {
+namespace dgt::language {
 
 Rational Word::magnitude() const {
   DGT_CHECK(form == NumberForm::Decimal);
@@ -21,4 +21,4 @@ Rational Word::magnitude() const {
   return value;
 }
 
-}  // namespace dgt
+}  // namespace dgt::language

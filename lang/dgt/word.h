@@ -6,7 +6,7 @@
 #include "kernel/number.h"
 #include "lang/text/source_file.h"
 
-namespace dgt {
+namespace dgt::language {
 
 /// What a line of DGT source is made of.
 enum class WordKind : std::uint8_t {
@@ -53,4 +53,4 @@ struct Word {
   [[nodiscard]] Rational magnitude() const;
 };
 
-}  // namespace dgt
+}  // namespace dgt::language

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 TEST(Forms, EveryRowMatchesItselfInEveryOrder) {
@@ -68,4 +68,4 @@ TEST(FormMismatch, FindsTheSurplusOperand) {
 }
 
 }  // namespace
-}  // namespace dgt
+}  // namespace dgt::language

@@ -6,7 +6,7 @@
 #include "lang/dgt/dump.h"
 #include "lang/text/render.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 // The first line's words, and what was said about them.
@@ -158,4 +158,4 @@ TEST(Lexer, ReportsAnOpenQuote) {
 }
 
 }  // namespace
-}  // namespace dgt
+}  // namespace dgt::language

@@ -6,7 +6,7 @@
 #include "lang/dgt/dump.h"
 #include "lang/text/render.h"
 
-namespace dgt {
+namespace dgt::language {
 namespace {
 
 std::string syntax(std::string_view text) {
@@ -170,4 +170,4 @@ TEST(ParserFaults, WordsOutOfPlace) {
 }
 
 }  // namespace
-}  // namespace dgt
+}  // namespace dgt::language

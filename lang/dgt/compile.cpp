@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lang/dgt/compile.h"
+
+#include "lang/dgt/evaluator.h"
+#include "lang/dgt/parser.h"
+
+namespace dgt {
+
+CompileResult compile(const SourceFile& file, SourceLoader& loader, const EvaluateOptions& options,
+                      DiagnosticBag& bag) {
+  CompileResult result;
+  result.syntax = language::parse(file, bag);
+  language::Evaluator evaluator(loader, options, bag);
+  Toolpath path = evaluator.run(result.syntax);
+  result.elements = evaluator.elements();
+  result.files = evaluator.files();
+  bag.sort();
+  if (!bag.has_errors()) result.path = std::move(path);
+  return result;
+}
+
+}  // namespace dgt

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "kernel/contour.h"
+#include "lang/dgt/elements.h"
+#include "lang/dgt/loader.h"
+#include "lang/dgt/syntax.h"
+#include "lang/text/diagnostic.h"
+
+namespace dgt {
+
+/// Ends for programs that have none. Passing one is an error of its own.
+struct EvaluateBounds {
+  std::uint64_t statements = 10'000'000;  ///< executed, loops and macros counted as they run
+  std::uint64_t moves = 10'000'000;
+  std::uint32_t loop_depth = 100;   ///< FOR in FOR, through macros
+  std::uint32_t macro_depth = 100;  ///< MAC in MAC
+  std::uint32_t text_depth = 100;   ///< B in B
+};
+
+struct EvaluateOptions {
+  /// Where W > 0 lies, until a comment `'@ offset-side left|right|auto` in the source says
+  /// otherwise.
+  OffsetSide offset_side = OffsetSide::Auto;
+  /// See ContourOptions; mm.
+  Rational join_tolerance = Rational(1, 1000);
+  /// What a tool that cuts into the contour is.
+  GougePolicy gouge = GougePolicy::Error;
+  EvaluateBounds bounds;
+};
+
+/// What a program comes to.
+struct CompileResult {
+  std::optional<Toolpath> path;     ///< nothing when there is an error
+  language::Program syntax;         ///< of the program itself, without its macros
+  language::ElementTable elements;  ///< as they stand at the end
+  /// Macros and definition files that were read. Diagnostics point into them and into the program.
+  std::vector<std::shared_ptr<const SourceFile>> files;
+};
+
+/// Reads and executes a DGT program. Everything that is wrong with it goes to `bag`, in the order
+/// of the text. `file` and the result must outlive the diagnostics.
+[[nodiscard]] CompileResult compile(const SourceFile& file, SourceLoader& loader,
+                                    const EvaluateOptions& options, DiagnosticBag& bag);
+
+}  // namespace dgt

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lang/dgt/evaluator.h"
+
+#include "kernel/check.h"
+
+namespace dgt::language {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+  using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+}  // namespace
+
+Toolpath Evaluator::run(const Program& program) {
+  shared_.call_stack = {program.file};
+  execute(program);
+  return contours_.finish();
+}
+
+void Evaluator::execute(const Program& program) {
+  std::vector<Loop> loops;
+  for (std::size_t at = 0; at < program.statements.size() && !stopped_;) {
+    if (!count_statement(program.statements[at])) break;
+    at = step(program, at, loops);
+    stopped_ = stopped_ || contours_.is_over_limit();
+  }
+  loop_depth_ -= loops.size();
+}
+
+void Evaluator::stop(Message message, const Range& range, std::uint64_t limit) {
+  bag_.add({message, range, {std::to_string(limit)}});
+  stopped_ = true;
+}
+
+bool Evaluator::count_statement(const Statement& statement) {
+  const std::uint64_t limit = shared_.options.bounds.statements;
+  if (++executed_ > limit) stop(Message::TooManyStatements, statement.range, limit);
+  return !stopped_;
+}
+
+// --- loops
+// ----------------------------------------------------------------------------------------
+
+std::size_t Evaluator::step(const Program& program, std::size_t at, std::vector<Loop>& loops) {
+  const Statement& statement = program.statements[at];
+  if (const auto* const loop = std::get_if<ForLoop>(&statement.body)) {
+    return enter_loop(*loop, statement, at, loops);
+  }
+  if (std::holds_alternative<LoopEnd>(statement.body)) {
+    DGT_CHECK(!loops.empty());
+    if (--loops.back().remaining > 0) return loops.back().begin + 1;
+    loops.pop_back();
+    --loop_depth_;
+    return at + 1;
+  }
+  execute_simple(statement);
+  return at + 1;
+}
+
+std::size_t Evaluator::enter_loop(const ForLoop& loop, const Statement& statement, std::size_t at,
+                                  std::vector<Loop>& loops) {
+  if (loop.end == at) return at + 1;  // it has no NEXT, which has been reported
+  Integer rounds = rounds_of(loop, statement.broken);
+  if (rounds == 0) return loop.end + 1;
+  const std::uint32_t limit = shared_.options.bounds.loop_depth;
+  if (loop_depth_ == limit) stop(Message::LoopsTooDeep, statement.range, limit);
+  ++loop_depth_;
+  loops.push_back({at, std::move(rounds)});
+  return at + 1;
+}
+
+// A loop whose number of rounds is unknown runs once, so that its body is checked.
+Integer Evaluator::rounds_of(const ForLoop& loop, bool broken) {
+  if (broken) return 1;
+  const std::optional<Rational> count = shared_.variables.value(loop.count);
+  if (!count) return 1;
+  if (count->get_den() == 1 && sgn(*count) >= 0) return count->get_num();
+  bag_.add({Message::BadLoopCount, loop.count_range, {to_short_decimal(*count)}});
+  return 1;
+}
+
+// --- statements
+// -----------------------------------------------------------------------------------
+
+void Evaluator::execute_simple(const Statement& statement) {
+  std::visit(Overloaded{[&](const Definition& definition) {
+                          contours_.end();
+                          define(definition, statement.broken, shared_);
+                        },
+                        [&](const NumberAssignment& a) { execute(a, statement); },
+                        [&](const TextAssignment& a) { execute(a, statement.broken); },
+                        [&](const ContourStart& s) { execute(s, statement.broken); },
+                        [&](const ItemLine& line) { execute(line, statement); },
+                        [&](const MacroCall& call) { execute(call, statement.broken); },
+                        [&](const DefinitionFile& file) { execute(file, statement.broken); },
+                        [&](const SplicedLine& line) { execute(line, statement); },
+                        [&](const Directive& directive) { execute(directive); },
+                        [](const ForLoop&) {}, [](const LoopEnd&) {}},
+             statement.body);
+}
+
+void Evaluator::execute(const ContourStart& start, bool broken) {
+  const std::optional<ElementName> name =
+      start.target.letter == 0 ? std::nullopt : shared_.name_of(start.target);
+  const Range range = start.target.range;
+  contours_.start(name ? static_cast<unsigned>(name->number) : 0, range);
+  if (broken || !name) contours_.mark_broken();
+  contours_.take(start.items);
+}
+
+// A line without a comma ends the contour and holds words that act at once; a line with one goes on
+// with the contour.
+void Evaluator::execute(const ItemLine& line, const Statement& statement) {
+  const bool words = ContourWriter::are_words(line.items);
+  if (words && (!line.has_comma || !contours_.is_open())) {
+    contours_.end();
+    contours_.act(line.items);
+    return;
+  }
+  if (!contours_.is_open()) {
+    if (!line.items.empty()) {
+      const Range range = line.items.front().range;
+      bag_.add({Message::NoOpenContour, range, {std::string(range.text())}});
+    }
+    contours_.start_broken(statement.range);
+  } else if (!line.has_comma) {
+    const Range last = line.items.back().range;
+    bag_.add({Message::LineWithoutComma, statement.range, {}, {}, FixIt{behind(last), ","}});
+    contours_.mark_broken();
+  }
+  if (statement.broken) contours_.mark_broken();
+  contours_.take(line.items);
+}
+
+void Evaluator::execute(const Directive& directive) {
+  if (directive.key.text() != "offset-side") {
+    bag_.add({Message::UnknownDirective, directive.key, {std::string(directive.key.text())}});
+    return;
+  }
+  const std::string_view value = directive.value.text();
+  if (value == "left") {
+    contours_.set_offset_side(OffsetSide::Left);
+  } else if (value == "right") {
+    contours_.set_offset_side(OffsetSide::Right);
+  } else if (value == "auto") {
+    contours_.set_offset_side(OffsetSide::Auto);
+  } else {
+    bag_.add({Message::BadOffsetSide, directive.value, {std::string(value)}});
+  }
+}
+
+}  // namespace dgt::language

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// MAC and OPR: other files, executed with the names of the program.
+#include <algorithm>
+
+#include "lang/dgt/evaluator.h"
+#include "lang/dgt/parser.h"
+#include "lang/text/encoding.h"
+
+namespace dgt::language {
+
+std::shared_ptr<const Program> Evaluator::read(SourceText text) {
+  auto file = std::make_shared<const SourceFile>(std::move(text.name), text.bytes);
+  auto program = std::make_shared<const Program>(parse(*file, bag_));
+  files_.push_back(std::move(file));
+  programs_.push_back(program);
+  return program;
+}
+
+// --- macros
+// ---------------------------------------------------------------------------------------
+
+void Evaluator::execute(const MacroCall& call, bool broken) {
+  contours_.end();
+  const std::shared_ptr<const Program> program = broken ? nullptr : macro(call.name);
+  if (!program) {
+    shared_.names_missing = true;
+    return;
+  }
+  const std::uint32_t limit = shared_.options.bounds.macro_depth;
+  if (shared_.call_stack.size() > limit) return stop(Message::MacrosTooDeep, call.name, limit);
+  const OffsetSide side = contours_.offset_side();
+  shared_.call_stack.push_back(program->file);
+  set_arguments(call);
+  execute(*program);
+  contours_.end();
+  contours_.set_offset_side(side);  // a directive in a macro is the macro's own
+  shared_.call_stack.pop_back();
+}
+
+// Read once, however often it is called.
+std::shared_ptr<const Program> Evaluator::macro(const Range& name) {
+  const std::string key = fold_case(name.text());
+  const auto known = macros_.find(key);
+  if (known != macros_.end() && known->second) return known->second;
+  std::optional<SourceText> text = loader_.load_macro(name.text());
+  if (!text) {
+    bag_.add({Message::NoSuchMacro, name, {std::string(name.text())}});
+    return macros_[key] = nullptr;
+  }
+  return macros_[key] = read(*std::move(text));
+}
+
+// All arguments are worked out before the first is set, since they may be variables themselves.
+void Evaluator::set_arguments(const MacroCall& call) {
+  std::vector<std::optional<Rational>> values;
+  for (const MacroCall::Argument& argument : call.arguments) {
+    values.push_back(shared_.variables.value(argument.number));
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    set_number(static_cast<int>(i) + 1, std::move(values[i]), call.arguments[i].range);
+  }
+}
+
+// --- definition files
+// -----------------------------------------------------------------------------
+
+void Evaluator::execute(const DefinitionFile& file, bool broken) {
+  contours_.end();
+  std::optional<SourceText> text;
+  if (!broken && !loader_.has_folder()) {
+    bag_.add({Message::UnsavedProgram, file.name, {}});
+  } else if (!broken) {
+    text = loader_.load_definitions(file.name.text());
+    if (!text) {
+      bag_.add({Message::NoSuchDefinitionFile, file.name, {std::string(file.name.text())}});
+    }
+  }
+  if (text) {
+    run_definitions(*read(*std::move(text)));
+  } else {
+    shared_.names_missing = true;
+  }
+}
+
+void Evaluator::run_definitions(const Program& program) {
+  shared_.definition_files.push_back(program.file);
+  for (const Statement& statement : program.statements) {
+    if (!count_statement(statement)) return;
+    const auto* const definition = std::get_if<Definition>(&statement.body);
+    if (definition != nullptr) {
+      define(*definition, statement.broken, shared_);
+    } else if (!statement.broken) {
+      bag_.add({Message::NotADefinition, statement.range, {}});
+    }
+  }
+}
+
+}  // namespace dgt::language
