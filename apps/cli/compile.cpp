@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/cli/machine_options.h"
+#include "apps/cli/session.h"
+#include "apps/cli/verbs.h"
+#include "apps/driver/write_messages.h"
+
+namespace dgt::cli {
+namespace {
+
+constexpr const char* kList = "list";
+
+struct CompileOptions {
+  Request request;
+  MachineOptions machine;
+};
+
+/// With four decimals, never below `value`.
+std::string rounded_up(double value) {
+  constexpr double kStep = 1e-4;
+  return fmt::format("{:.4f}", std::ceil(value / kStep) * kStep);
+}
+
+ExitCode run(const CompileOptions& options, const Console& console) {
+  const Request& request = options.request;
+  if (options.machine.dialect == kList) {
+    return write_result(request.output, names_of_dialects("\n") + "\n", console);
+  }
+  const auto dialect = options.machine.chosen(console);
+  if (!dialect) return dialect.error();
+  const auto made = load(request.file, request.source, console);
+  if (!made) return made.error();
+  const WriteResult written = write(*made->result.path, *dialect);
+  console.show(explain(written, *dialect, *made));
+  if (!written.faults.empty()) return ExitCode::InputErrors;
+  const ExitCode code = write_result(request.output, written.text, console);
+  if (code == ExitCode::Done) {
+    console.note(Text::Compiled, {dialect->name, std::to_string(written.report.blocks),
+                                  rounded_up(written.report.deviation)});
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_compile(CLI::App& app, Job& job) {
+  const auto options = std::make_shared<CompileOptions>();
+  CLI::App* verb = add_verb(
+      app, job, "compile", "From source to NC program: the main job",
+      "Compiles a program for a control and writes it whole or not at all. A note tells the number "
+      "of blocks and the certificate: how far the written curve lies from the exact tool path at "
+      "most, which is proved block by block, not sampled. A program with an error yields no output "
+      "and exit code 1.\n\nExample:\n  dgt compile 1P.bgt --post essi -o 1P.ess");
+  add_request(*verb, options->request, "The NC program");
+  verb->get_option("FILE")->required(false);  // not for the list
+  add_machine_options(*verb, options->machine);
+  verb->callback([options, &job] {
+    if (options->request.file.empty() && options->machine.dialect != kList) {
+      throw CLI::RequiredError("FILE");
+    }
+    job.run = [options, &job] { return run(*options, job.messages.console()); };
+  });
+}
+
+}  // namespace dgt::cli

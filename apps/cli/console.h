@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "lang/text/diagnostic.h"
+#include "lang/text/render.h"
+
+namespace dgt::cli {
+
+/// What a command ends with; the numbers are a contract with scripts.
+enum class ExitCode : std::uint8_t {
+  Done = 0,
+  InputErrors = 1,  ///< and nothing was written
+  WrongUsage = 2,
+  Failure = 3,  ///< of a file or device, or of the program itself
+  NotVerified = 4
+};
+
+/// The sentences of the command itself; the rows of texts.def.
+enum class Text : std::uint8_t {
+#define DGT_TEXT(name, english, russian) name,
+#include "apps/cli/texts.def"
+#undef DGT_TEXT
+};
+
+/// English unless LC_ALL, LC_MESSAGES or LANG (the first that is set) asks for Russian.
+[[nodiscard]] Language language_of_locale();
+
+enum class ColourChoice : std::uint8_t { Auto, Always, Never };
+
+/// Auto: on a terminal, unless NO_COLOR is set and not empty or TERM is `dumb`.
+[[nodiscard]] Colour colour_of(ColourChoice choice);
+
+/// What the command says to the person, on standard error.
+class Console {
+ public:
+  Console(Language language, Colour colour) : render_{language, colour} {}
+
+  [[nodiscard]] Language language() const { return render_.language; }
+  void show(const DiagnosticBag& bag) const;
+  /// `dgt: error: …`, `dgt: note: …`
+  void error(Text text, std::initializer_list<std::string_view> arguments) const;
+  void note(Text text, std::initializer_list<std::string_view> arguments) const;
+
+ private:
+  void say(Severity severity, Text text, std::initializer_list<std::string_view> arguments) const;
+
+  RenderOptions render_;
+};
+
+}  // namespace dgt::cli

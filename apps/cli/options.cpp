@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/cli/options.h"
+
+#include <map>
+
+namespace dgt::cli {
+namespace {
+
+/// A decimal that is not negative.
+std::string fault_of_length(const std::string& text) {
+  const auto value = parse_decimal(text);
+  return value && sgn(*value) >= 0 ? "" : "'" + text + "' is no length in mm";
+}
+
+}  // namespace
+
+Console MessageOptions::console() const {
+  return {language.value_or(language_of_locale()), colour_of(colour)};
+}
+
+SourceSettings SourceOptions::settings() const {
+  SourceSettings settings;
+  settings.evaluate.offset_side = offset_side;
+  settings.evaluate.join_tolerance = parse_decimal(join_tolerance).value();
+  settings.macro_path = macro_path;
+  return settings;
+}
+
+void add_message_options(CLI::App& verb, MessageOptions& options) {
+  static const std::map<std::string, Language> kLanguages = {{"en", Language::English},
+                                                             {"ru", Language::Russian}};
+  static const std::map<std::string, ColourChoice> kColours = {{"auto", ColourChoice::Auto},
+                                                               {"always", ColourChoice::Always},
+                                                               {"never", ColourChoice::Never}};
+  verb.add_option("--lang", options.language, "Language of the messages (default: the locale's)")
+      ->option_text("en|ru")
+      ->transform(CLI::CheckedTransformer(kLanguages).description(""))
+      ->group("Messages");
+  // A bare --color asks for colour, as in other programs.
+  verb.add_option("--color", options.colour,
+                  "Colours in messages; auto: on a terminal, unless NO_COLOR is set")
+      ->option_text("auto|always|never")
+      ->transform(CLI::CheckedTransformer(kColours).description(""))
+      ->group("Messages");
+}
+
+void add_source_options(CLI::App& verb, SourceOptions& options) {
+  static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt}};
+  static const std::map<std::string, OffsetSide> kSides = {
+      {"auto", OffsetSide::Auto}, {"left", OffsetSide::Left}, {"right", OffsetSide::Right}};
+  verb.add_option("--from", options.from,
+                  "Language of the input (default: by the extension; .bgt and .dgt are DGT; "
+                  "standard input is DGT)")
+      ->option_text("dgt")
+      ->transform(CLI::CheckedTransformer(kInputs).description(""))
+      ->group("Source");
+  verb.add_option("--mac-path", options.macro_path,
+                  "A further folder to look in for MAC files, after the program's own folder and "
+                  "its subfolder mac; may be given again")
+      ->option_text("FOLDER")
+      ->allow_extra_args(false)
+      ->group("Source");
+  verb.add_option("--offset-side", options.offset_side,
+                  "Where W > 0 lies, seen along the elements; auto (the default): on the side of "
+                  "the contour's first element on which the tool stands")
+      ->option_text("auto|left|right")
+      ->transform(CLI::CheckedTransformer(kSides).description(""))
+      ->group("Source");
+  verb.add_option("--join-tolerance", options.join_tolerance,
+                  "Offset elements that miss each other by at most this are joined with a warning "
+                  "(default: 0.001)")
+      ->option_text("MM")
+      ->check(CLI::Validator(fault_of_length, ""))
+      ->group("Source");
+}
+
+void add_request(CLI::App& verb, Request& request, const std::string& what) {
+  verb.add_option("FILE", request.file, "The program; - is standard input")
+      ->required()
+      ->option_text(" ");
+  verb.add_option("-o,--output", request.output,
+                  what + "; written whole or not at all (default: -, standard output)")
+      ->option_text("OUT");
+  add_source_options(verb, request.source);
+}
+
+}  // namespace dgt::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/driver/pipeline.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace dgt {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> folder_of(const std::string& name) {
+  if (name == kStream) return std::nullopt;
+  const fs::path folder = fs::path(name).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+std::string lower_extension(const std::string& name) {
+  std::string extension = fs::path(name).extension();
+  std::ranges::transform(extension, extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return extension;
+}
+
+}  // namespace
+
+std::optional<InputLanguage> language_of(const std::string& name) {
+  const std::string extension = lower_extension(name);
+  if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
+  return std::nullopt;
+}
+
+FileResult<Compilation> compile_file(const std::string& name, const SourceSettings& settings) {
+  const auto bytes = read_file(name);
+  if (!bytes) return tl::unexpected(bytes.error());
+  Compilation made;
+  made.file = std::make_shared<const SourceFile>(name == kStream ? "<stdin>" : name, *bytes);
+  FolderLoader loader(folder_of(name), {settings.macro_path.begin(), settings.macro_path.end()});
+  made.result = compile(*made.file, loader, settings.evaluate, made.bag);
+  return made;
+}
+
+}  // namespace dgt

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/driver/write_messages.h"
+
+#include "lang/text/encoding.h"
+
+namespace dgt {
+namespace {
+
+/// The byte where column `column` of a line begins; the end of the line when it is shorter.
+std::uint32_t offset_of(const SourceFile& file, std::uint32_t line, std::uint32_t column) {
+  const std::string_view text = file.line_text(line);
+  std::uint32_t offset = 0;
+  for (; column > 1 && offset < text.size(); --column) offset += code_point_at(text, offset).size;
+  return file.line_start(line) + offset;
+}
+
+const SourceFile& file_of(const SourcePlace& place, const Compilation& program) {
+  const std::string& name = program.result.path->files.at(place.file);
+  for (const auto& file : program.result.files) {
+    if (file->name() == name) return *file;
+  }
+  return *program.file;
+}
+
+/// What belongs to no move is told at the beginning of the program.
+Range range_of(const SourcePlace& place, const Compilation& program) {
+  if (place.line == 0) return {program.file.get(), 0, 0};
+  const SourceFile& file = file_of(place, program);
+  const std::uint32_t offset = offset_of(file, place.line, place.column);
+  return {&file, offset, offset};
+}
+
+Diagnostic diagnostic_of(const WriteFault& fault, const Dialect& dialect, Range range) {
+  switch (fault.kind) {
+    case WriteFault::Kind::UnknownCode:
+      return {Message::CodeNotInDialect, range, {fault.code, dialect.name}};
+    case WriteFault::Kind::HeightImpossible:
+      return {Message::HeightNotInDialect, range, {dialect.name}};
+    case WriteFault::Kind::DwellImpossible:
+      return {Message::DwellNotInDialect, range, {dialect.name}};
+    case WriteFault::Kind::OutOfRange:
+      return {Message::TooLargeForDialect, range, {to_short_decimal(dialect.unit)}};
+    case WriteFault::Kind::MoveAfterEnd:
+      break;
+  }
+  return {Message::MoveAfterEnd, range, {}};
+}
+
+Diagnostic diagnostic_of(const WriteNote& note, const Dialect& dialect, Range range) {
+  switch (note.kind) {
+    case WriteNote::Kind::FeedDropped:
+      return {Message::FeedDropped, range, {dialect.name}};
+    case WriteNote::Kind::PowerDropped:
+      return {Message::PowerDropped, range, {dialect.name}};
+    case WriteNote::Kind::FeedDefaulted:
+      break;
+  }
+  return {Message::FeedDefaulted, range, {dialect.name, note.value}};
+}
+
+}  // namespace
+
+DiagnosticBag explain(const WriteResult& written, const Dialect& dialect,
+                      const Compilation& program) {
+  DiagnosticBag bag;
+  for (const WriteFault& fault : written.faults) {
+    bag.add(diagnostic_of(fault, dialect, range_of(fault.place, program)));
+  }
+  for (const WriteNote& note : written.report.notes) {
+    bag.add(diagnostic_of(note, dialect, range_of(note.place, program)));
+  }
+  return bag;
+}
+
+}  // namespace dgt
