@@ -41,7 +41,9 @@ struct KnownPoint {
 [[nodiscard]] KnownPoint known_point(const RationalPoint& p);
 [[nodiscard]] KnownPoint known_point(const ExactPoint& p);
 
-/// A constructed element and how far it may lie from the ideal one over the same operands.
+/// A constructed element and how far it may lie from the ideal one over the same operands (of a
+/// point: over its stand-in). Operands within the contact resolution of a contact are taken to be
+/// in contact; the ideal is then the one of the exact contact.
 template <class T>
 struct Constructed {
   T value;

@@ -76,6 +76,7 @@ void cap_height(Constructed<Circle>& circle) {
   Rational radius = circle.value.radius();
   const double moved = cap(centre.x) + cap(centre.y) + cap(radius);
   if (moved == 0) return;
+  if (sgn(radius) == 0) radius = sgn(circle.value.radius()) * power_of_two(kGridExponent);
   circle.bound += moved;
   circle.value = Circle(std::move(centre), std::move(radius));
 }

@@ -48,6 +48,13 @@ int excess_bits(const Rational& a, const Rational& b) {
   return std::max(0, bits(q.get_num()) - bits(q.get_den()) + 1);
 }
 
+/// An upper bound of how far the two miss oriented contact, 0 when they do not: of the distance D
+/// of the centres and the difference δ ≠ 0 of the radii, |D − |δ|| ≤ |D² − δ²| / |δ|.
+Rational contact_error(const Circle& a, const Circle& b) {
+  const Rational difference = a.radius() - b.radius();
+  return abs((squared_length(a.centre() - b.centre()) - difference * difference) / difference);
+}
+
 /// Of the triangle 0, a, b over its longest side: how far its middle corner lies from the line of
 /// the others, to within the square of the contact resolution.
 Rational height_of_triangle(const Vector& a, const Vector& b) {
@@ -154,12 +161,11 @@ Construction<Circle> touching(const Circle& a, const Circle& b, const Rational& 
   if (in_oriented_contact(a, b)) {
     const Rational difference = a.radius() - b.radius();
     const Vector n = (1 / difference) * d;
-    // |n| is off 1 by up to the resolution over the difference, the centre by the reach times that.
+    // The contacts are off by | |n| − 1 | ≤ | n² − 1 | times the way to either centre.
     const Rational reach = abs(radius - a.radius()) + abs(difference);
-    const double off = squared_length(d) == difference * difference
-                           ? 0
-                           : std::ldexp(2 * upper_bound(reach / difference), kContactExponent);
-    return capped(Circle(a.centre() + (radius - a.radius()) * n, radius), off);
+    const Rational off = reach * (squared_length(n) - 1);
+    return capped(Circle(a.centre() + (radius - a.radius()) * n, radius),
+                  sgn(off) == 0 ? 0 : upper_bound(off));
   }
   // The locus about each centre is directed as the circle it comes from.
   Rational locus_radius = abs(a.radius() - radius);
@@ -173,11 +179,9 @@ Construction<Circle> touching(const Circle& a, const Circle& b, const Rational& 
     const ExactPoint centre = one->at.exact();
     const RationalPoint at{rational_within(centre.x, 2 * kContactExponent),
                            rational_within(centre.y, 2 * kContactExponent)};
-    const Rational from_a = a.radius() - radius;
-    const Rational from_b = b.radius() - radius;
-    const bool exact = squared_length(at - a.centre()) == from_a * from_a &&
-                       squared_length(at - b.centre()) == from_b * from_b;
-    return capped(Circle(at, radius), exact ? 0 : std::ldexp(4.0, kContactExponent));
+    const Rational off =
+        contact_error(a, Circle(at, radius)) + contact_error(b, Circle(at, radius));
+    return capped(Circle(at, radius), sgn(off) == 0 ? 0 : upper_bound(off));
   }
   const auto& two = std::get<TwoPoints>(loci);
   const auto which = choose(two, Which::Entry, selector);

@@ -6,19 +6,19 @@
 
 namespace dgt {
 
-KnownPoint known_point(const RationalPoint& p) { return {ExactPoint(p), p, 0}; }
+KnownPoint known_point(const RationalPoint& p) {
+  KnownPoint result{ExactPoint(p), p, 0};
+  cap_height(result);
+  return result;
+}
 
 KnownPoint known_point(const ExactPoint& p) {
-  KnownPoint result;
-  if (p.is_rational()) {
-    result = known_point(RationalPoint{p.x.a, p.y.a});
-  } else {
-    constexpr int exponent = -(kStandInBits + 32);
-    const auto stand_in = [](const OneRoot& c) {
-      return c.is_rational() ? c.a : on_dyadic_grid(rational_within(c, exponent - 1), exponent);
-    };
-    result = {p, {stand_in(p.x), stand_in(p.y)}, std::ldexp(2.0, exponent)};
-  }
+  if (p.is_rational()) return known_point(RationalPoint{p.x.a, p.y.a});
+  constexpr int exponent = -(kStandInBits + 32);
+  const auto stand_in = [](const OneRoot& c) {
+    return c.is_rational() ? c.a : on_dyadic_grid(rational_within(c, exponent - 1), exponent);
+  };
+  KnownPoint result{p, {stand_in(p.x), stand_in(p.y)}, std::ldexp(2.0, exponent)};
   cap_height(result);
   return result;
 }
