@@ -158,9 +158,11 @@ class Divider {
       least = off;
       best = stop;
     }
-    // The nearest point of the arc stands for the grid point, if that is near enough on each axis:
-    // it always is unless the circle passes a grid square by its corner.
-    if (least < 0.4999L)
+    // The nearest point of the arc stands for the grid point, if that is near enough on each axis
+    // (it always is unless the circle passes a grid square by its corner), and if it is sure to
+    // keep its place between its neighbours: on a circle of a few units it may lie anywhere.
+    constexpr long double kRadiusOfFeet = 8;
+    if (least < 0.4999L && radius >= kRadiusOfFeet)
       if (const auto foot = foot_on_circle(best.at)) best.exact = *foot;
     return best;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace dgt {
@@ -160,15 +161,14 @@ tl::expected<Dialect, SettingFault> with_setting(Dialect dialect, const Setting&
 }
 
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known) {
-  std::string_view best;
-  std::size_t least = 0;
-  for (const std::string_view candidate : known) {
-    const std::size_t distance = edit_distance(key, candidate);
-    if (!best.empty() && distance >= least) continue;
-    least = distance;
-    best = candidate;
-  }
-  return best;
+  const auto unlikeness = [&](std::string_view candidate) {
+    const std::string_view shorter = candidate.substr(0, std::min(key.size(), candidate.size()));
+    const auto common = std::mismatch(shorter.begin(), shorter.end(), key.begin()).first;
+    return std::pair(edit_distance(key, candidate), shorter.begin() - common);
+  };
+  const auto best = std::min_element(known.begin(), known.end(),
+                                     [&](auto a, auto b) { return unlikeness(a) < unlikeness(b); });
+  return best == known.end() ? std::string_view() : *best;
 }
 
 }  // namespace dgt

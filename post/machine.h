@@ -43,7 +43,8 @@ struct SettingKey {
 [[nodiscard]] tl::expected<Dialect, SettingFault> with_setting(Dialect dialect,
                                                                const Setting& setting);
 
-/// The known key with the least edit distance from `key`; of equals the first. Empty for no keys.
+/// The known key with the least edit distance from `key`; of equals the one that begins
+/// most like it, then the first. Empty for no keys.
 [[nodiscard]] std::string_view nearest_key(std::string_view key,
                                            std::span<const std::string_view> known);
 

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "post/gcode.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/post/paths.h"
+
+namespace dgt {
+namespace {
+
+using testing::PathBuilder;
+using testing::q;
+
+const Dialect& plasmatic() { return *find_dialect("plasmatic"); }
+const Dialect& linuxcnc() { return *find_dialect("linuxcnc"); }
+
+std::string text(const PathBuilder& p, const Dialect& d) { return write(p.path(), d).text; }
+
+TEST(PlasmaticText, IncrementsFromTheStartZeroWordsLeftOut) {
+  PathBuilder p({q("3"), q("4")});
+  p.rapid("5", "4").feed("1000").line("5", "-12.5").line("15", "0").dwell("2.5");
+  p.arc({15, -7}, {15, q("-3.5")}, true);
+  EXPECT_EQ(text(p, plasmatic()),
+            "G21\nG91\nG00 X2.0\nM07\nG01 Y-16.5 F1000\nG01 X10.0 Y12.5\nG04 X2.5\n"
+            "G03 Y-7.0 J-3.5\nM08\nM02\n");
+}
+
+TEST(PlasmaticText, WithoutAFeedNoneIsWritten) {
+  EXPECT_EQ(text(PathBuilder().line("1", "0"), plasmatic()), "G21\nG91\nM07\nG01 X1.0\nM08\nM02\n");
+}
+
+TEST(PlasmaticText, ASettingOverridesTheFeed) {
+  Dialect d = plasmatic();
+  d.feed = shared(q("2500.5"));
+  PathBuilder p;
+  p.feed("100").line("1", "0").feed("200").line("2", "0");
+  EXPECT_EQ(text(p, d), "G21\nG91\nM07\nG01 X1.0 F2500.5\nG01 X1.0\nM08\nM02\n");
+}
+
+TEST(PlasmaticText, AFeedIsSaidWhereItChanges) {
+  PathBuilder p;
+  p.feed("100").line("1", "0").feed("100").line("2", "0").feed("200").line("3", "0");
+  EXPECT_EQ(text(p, plasmatic()),
+            "G21\nG91\nM07\nG01 X1.0 F100\nG01 X1.0\nG01 X1.0 F200\nM08\nM02\n");
+}
+
+TEST(PlasmaticText, TwoDecimalsOnAnUnevenUnit) {
+  Dialect d = plasmatic();
+  d.unit = q("0.05");
+  EXPECT_EQ(text(PathBuilder().line("1.02", "-0.03"), d),
+            "G21\nG91\nM07\nG01 X1.00 Y-0.05\nM08\nM02\n");
+}
+
+TEST(PlasmaticText, ALongDwellInMilliseconds) {
+  Dialect d = plasmatic();
+  d.dwell_unit = DwellUnit::Milliseconds;
+  EXPECT_EQ(text(PathBuilder().dwell("0.05"), d), "G21\nG91\nG04 X50\nM02\n");
+}
+
+TEST(PlasmaticText, WhatItCannotSayIsAFault) {
+  PathBuilder p;
+  p.code("M17").line("1", "0").height("1").code("T5").code("M00").code("S3");
+  const WriteResult r = write(p.path(), plasmatic());
+  ASSERT_EQ(r.faults.size(), 3u);
+  EXPECT_EQ(r.faults[0].kind, WriteFault::Kind::UnknownCode);
+  EXPECT_EQ(r.faults[1].kind, WriteFault::Kind::HeightImpossible);
+  EXPECT_EQ(r.faults[2].code, "T5");
+}
+
+TEST(LinuxcncText, AbsoluteWithARapidToTheStart) {
+  PathBuilder p({14, 0});
+  p.feed("300").line("9.4174", "2").rapid("0", "0");
+  EXPECT_EQ(text(p, linuxcnc()),
+            "G21 G90 G17 G40 G91.1\nG00 X14.000 Y0.000\nM07\nG01 X9.417 Y2.000 F300\nM08\n"
+            "G00 X0.000 Y0.000\nM02\n");
+}
+
+TEST(LinuxcncText, AMissingFeedIsDefaultedWithANote) {
+  const WriteResult r = write(PathBuilder().line("1", "0").line("2", "0").path(), linuxcnc());
+  EXPECT_EQ(r.text,
+            "G21 G90 G17 G40 G91.1\nG00 X0.000 Y0.000\nM07\nG01 X1.000 Y0.000 F1000\n"
+            "G01 X2.000 Y0.000\nM08\nM02\n");
+  ASSERT_EQ(r.report.notes.size(), 1u);
+  EXPECT_EQ(r.report.notes[0].kind, WriteNote::Kind::FeedDefaulted);
+  EXPECT_EQ(r.report.notes[0].value, "1000");
+}
+
+TEST(LinuxcncText, CodesPassAndTheProgramsTorchIsItsOwn) {
+  PathBuilder p;
+  p.feed("1").code("M03").code("S500").code("T2").line("1", "0").code("M05").dwell("0.25");
+  EXPECT_EQ(text(p, linuxcnc()),
+            "G21 G90 G17 G40 G91.1\nG00 X0.000 Y0.000\nM3\nS500\nT2\nG01 X1.000 Y0.000 F1\nM5\n"
+            "G04 P0.25\nM02\n");
+}
+
+TEST(LinuxcncText, HeightsOnLinesAndHelices) {
+  PathBuilder p;
+  p.feed("1").line("1", "0").height("-0.5").line("2", "0").line("2", "0").height("1.25");
+  p.arc({2, 0}, {2, 10}, true).height("3.25");
+  EXPECT_EQ(text(p, linuxcnc()),
+            "G21 G90 G17 G40 G91.1\nG00 X0.000 Y0.000\nM07\nG01 X1.000 Y0.000 Z-0.500 F1\n"
+            "G01 X2.000 Y0.000\nG01 X2.000 Y0.000 Z1.250\n"
+            "G03 X2.000 Y20.000 Z2.250 I0.000 J10.000\nG03 X2.000 Y0.000 Z3.250 I0.000 J-10.000\n"
+            "M08\nM02\n");
+}
+
+TEST(LinuxcncText, RoundedEndsGetACentreWithEqualRadii) {
+  PathBuilder p({q("0.0004"), 0});
+  p.feed("1").arc({q("10.0004"), 10}, {q("0.0004"), 10}, true);
+  const auto run = replay::gcode(text(p, linuxcnc()), {});
+  const replay::Step& arc = run.steps[3];
+  ASSERT_EQ(arc.kind, replay::Step::Kind::Arc);
+  EXPECT_EQ(arc.from.x, 0);  // the centre counts from here, not from 0.0004
+  EXPECT_LT(arc.mismatch, 1e-9);
+  EXPECT_NEAR(arc.centre.x, 0.0004, 0.001);
+  EXPECT_NEAR(arc.centre.y, 10, 0.0011);
+}
+
+TEST(Dialects, AreFoundByName) {
+  EXPECT_EQ(dialects().size(), 3u);
+  EXPECT_EQ(find_dialect("fanuc"), nullptr);
+}
+
+TEST(Dialects, LeadingZerosOfACodeDoNotMatter) {
+  EXPECT_EQ(meaning_of(plasmatic(), "M00").words, "M00");
+  EXPECT_EQ(meaning_of(plasmatic(), "M0").words, "M00");
+  EXPECT_EQ(meaning_of(plasmatic(), "M007").kind, CodeMeaning::Kind::TorchOn);
+  EXPECT_EQ(meaning_of(*find_dialect("essi"), "00").words, "0");
+  EXPECT_EQ(meaning_of(*find_dialect("essi"), "").kind, CodeMeaning::Kind::Unknown);
+}
+
+}  // namespace
+}  // namespace dgt
