@@ -85,6 +85,13 @@ TEST(NearestInteger, TiesGoAwayFromZero) {
   EXPECT_EQ(nearest_integer(OneRoot(Rational(3, 2), -1, 4)), -1);  // 3/2 − √4
 }
 
+TEST(NearestInteger, TiesAreSeenThroughARootThatIsRationalButNotDyadic) {
+  EXPECT_EQ(nearest_integer(OneRoot(Rational(1, 2), -3, Rational(1, 9))), -1);  // 1/2 − 3·√(1/9)
+  EXPECT_EQ(nearest_integer(OneRoot(Rational(-1, 2), 3, Rational(1, 9))), 1);
+  EXPECT_EQ(nearest_integer(OneRoot(Rational(5, 2), -3, Rational(1, 9))), 2);  // 3/2
+  EXPECT_EQ(nearest_integer(OneRoot(Rational(-5, 2), 3, Rational(1, 9))), -2);
+}
+
 TEST(OneRoot, ARootOfZeroCountsForNothing) {
   const OneRoot x(3, 5, 0);
   EXPECT_TRUE(x.is_rational());

@@ -102,6 +102,15 @@ RC_GTEST_PROP(Ball, BesideTheMidpointOfTwoDoublesItDoesNotGuess, ()) {
   if (const auto rounded = Ball(x).nearest_double()) RC_ASSERT(*rounded == nearest_double(x));
 }
 
+RC_GTEST_PROP(Ball, ARoundedBallRoundsToThatDoubleAtBothEnds, ()) {
+  const long double mid = 1 + *rc::gen::inRange(0, 1 << 14) * 0x1p-62L;
+  const Ball ball(mid, std::ldexp(1.0L, -*rc::gen::inRange(50, 64)));
+  const auto rounded = ball.nearest_double();
+  if (!rounded) return;
+  RC_ASSERT(*rounded == nearest_double(Rational(exactly(mid) - exactly(ball.rad))));
+  RC_ASSERT(*rounded == nearest_double(Rational(exactly(mid) + exactly(ball.rad))));
+}
+
 RC_GTEST_PROP(Ball, TheZeroRuleIsTheExactOneOrNone, ()) {
   const Rational x = power_of_two(kZeroExponent) *
                      (1 + *rc::gen::inRange(-8, 9) * power_of_two(-*rc::gen::inRange(2, 70)));
@@ -137,6 +146,17 @@ TEST(Ball, IsTightEnoughToDecideWhatAPartAsksFor) {
   const auto root = sqrt(Ball(Rational(2)));
   ASSERT_TRUE(root.has_value());
   EXPECT_EQ(root->nearest_double(), std::sqrt(2.0));
+}
+
+TEST(Ball, WideBallsKeepTheCornersOfTheirProducts) {
+  const Ball wide(1, 0.5L);
+  EXPECT_TRUE(holds(wide * wide, Rational(9, 4)));
+  EXPECT_TRUE(holds(wide * wide, Rational(1, 4)));
+  EXPECT_TRUE(holds(wide + wide, Rational(3)));
+  EXPECT_TRUE(holds(wide - wide, Rational(-1)));
+  EXPECT_TRUE(holds(*divide(wide, wide), Rational(3)));
+  EXPECT_TRUE(holds(*sqrt(Ball(5, 4)), Rational(1)));
+  EXPECT_TRUE(holds(*sqrt(Ball(5, 4)), Rational(3)));
 }
 
 TEST(Ball, OnlyTheExactZeroHasTheSignZero) {
