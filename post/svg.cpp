@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "post/svg.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "post/figures.h"
 
@@ -79,24 +82,36 @@ std::string path_data(std::span<const Move> moves, Wanted wanted) {
   return data.text();
 }
 
-void append_path(std::string& out, const std::string& data) {
-  if (!data.empty()) out.append("    <path d=\"").append(data).append("\"/>\n");
-}
-
 struct Pen {
   std::string_view name;
   const std::string& colour;
-  double width;
-  std::string_view dashes = "";
+  double width;     ///< pixels
+  double dash = 0;  ///< pixels; 0: drawn through
 };
 
-void open_group(std::string& out, const Pen& pen) {
-  out.append("  <g class=\"").append(pen.name).append("\" stroke=\"").append(pen.colour);
-  out.append("\" stroke-width=\"");
-  append_number(out, pen.width);
-  out.append("\"");
-  if (!pen.dashes.empty()) out.append(" stroke-dasharray=\"").append(pen.dashes).append("\"");
-  out.append(">\n");
+/// What the drawing covers, and how many mm a pixel of it is.
+struct Sheet {
+  double left = 0;
+  double top = 0;
+  double width = 0;
+  double height = 0;
+  double pixel = 1;
+};
+
+Sheet sheet_of(const Toolpath& path, const DrawingStyle& style) {
+  Box box = box_of(path.moves);
+  box.add(coordinate(path.start.x), coordinate(path.start.y));
+  for (const Contour& contour : path.contours) {
+    const Box programmed = box_of(contour.programmed);
+    if (programmed.empty()) continue;
+    box.add(programmed.left, programmed.bottom);
+    box.add(programmed.right, programmed.top);
+  }
+  constexpr double kLeastSide = 1;  // mm: a path that goes nowhere still has a sheet
+  const double margin = style.margin * std::max({box.width(), box.height(), kLeastSide});
+  const double width = box.width() + 2 * margin;
+  const double height = box.height() + 2 * margin;
+  return {box.left - margin, box.top + margin, width, height, std::max(width, height) / style.size};
 }
 
 void append_attribute(std::string& out, std::string_view name, double value) {
@@ -105,98 +120,120 @@ void append_attribute(std::string& out, std::string_view name, double value) {
   out.append("\"");
 }
 
-void append_head(std::string& out, const Box& box, const DrawingStyle& style) {
-  constexpr double kLeastSide = 1;  // mm: a path that goes nowhere still has a sheet
-  const double longer = std::max({box.width(), box.height(), kLeastSide});
-  const double margin = style.margin * longer;
-  const double width = box.width() + 2 * margin;
-  const double height = box.height() + 2 * margin;
-  const double scale = style.size / std::max(width, height);
-  out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
-  append_attribute(out, "width", width * scale);
-  append_attribute(out, "height", height * scale);
-  const double left = box.left - margin;
-  const double upper = -box.top - margin;
-  out.append(" viewBox=\"");
-  for (const double value : {left, upper, width}) {
-    append_number(out, value);
-    out += ' ';
+/// The text of an SVG file as it grows.
+class Drawing {
+ public:
+  Drawing(const Sheet& sheet, const DrawingStyle& style) : sheet_(sheet), style_(style) {
+    out_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    out_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"";
+    append_attribute(out_, "width", sheet.width / sheet.pixel);
+    append_attribute(out_, "height", sheet.height / sheet.pixel);
+    out_ += " viewBox=\"";
+    for (const double value : {sheet.left, -sheet.top, sheet.width}) {
+      append_number(out_, value);
+      out_ += ' ';
+    }
+    append_number(out_, sheet.height);
+    out_ += "\">\n";
   }
-  append_number(out, height);
-  out.append("\">\n<rect");
-  append_attribute(out, "x", left);
-  append_attribute(out, "y", upper);
-  append_attribute(out, "width", width);
-  append_attribute(out, "height", height);
-  out.append(" fill=\"").append(style.background).append("\"/>\n");
-  out.append(
-      "<style>path { vector-effect: non-scaling-stroke; fill: none; stroke-linecap: round; "
-      "stroke-linejoin: round; }</style>\n<g transform=\"scale(1,-1)\">\n");
-}
 
-void append_programmed(std::string& out, const Toolpath& path, const DrawingStyle& style) {
-  open_group(out, {"programmed", style.programmed, style.programmed_width});
-  for (const Contour& contour : path.contours) {
-    append_path(out, path_data(contour.programmed, is_cut));
+  /// Strokes have their width in mm, for viewers that know nothing better; the others keep it in
+  /// pixels at any scale.
+  void rule(std::initializer_list<Pen> pens) {
+    out_ += "<style>\n@supports (vector-effect: non-scaling-stroke) {\n";
+    out_ += "  path { vector-effect: non-scaling-stroke; }\n";
+    for (const Pen& pen : pens) {
+      out_.append("  .").append(pen.name).append(" { stroke-width: ");
+      append_number(out_, pen.width);
+      if (pen.dash > 0) {
+        out_ += "px; stroke-dasharray: ";
+        append_number(out_, pen.dash);
+      }
+      out_ += "px; }\n";
+    }
+    out_ += "}\n</style>\n<rect";
+    append_attribute(out_, "x", sheet_.left);
+    append_attribute(out_, "y", -sheet_.top);
+    append_attribute(out_, "width", sheet_.width);
+    append_attribute(out_, "height", sheet_.height);
+    out_.append(" fill=\"").append(style_.background).append("\"/>\n");
+    out_ += "<g transform=\"scale(1,-1)\" fill=\"none\" stroke-linecap=\"round\"";
+    out_ += " stroke-linejoin=\"round\">\n";
   }
-  out.append("  </g>\n");
+
+  void open(const Pen& pen) {
+    out_.append("  <g class=\"").append(pen.name).append("\" stroke=\"").append(pen.colour);
+    out_ += '"';
+    append_attribute(out_, "stroke-width", pen.width * sheet_.pixel);
+    if (pen.dash > 0) append_attribute(out_, "stroke-dasharray", pen.dash * sheet_.pixel);
+    out_ += ">\n";
+  }
+  void path(const std::string& data) {
+    if (!data.empty()) out_.append("    <path d=\"").append(data).append("\"/>\n");
+  }
+  void close() { out_ += "  </g>\n"; }
+
+  [[nodiscard]] std::string finish() {
+    out_ += "</g>\n</svg>\n";
+    return std::move(out_);
+  }
+
+ private:
+  const Sheet& sheet_;
+  const DrawingStyle& style_;
+  std::string out_;
+};
+
+void draw_programmed(Drawing& drawing, const Toolpath& path) {
+  for (const Contour& contour : path.contours) {
+    drawing.path(path_data(contour.programmed, is_cut));
+  }
 }
 
 /// One path a contour, and one for what is cut between two contours.
-void append_equidistant(std::string& out, const Toolpath& path, const DrawingStyle& style) {
+void draw_equidistant(Drawing& drawing, const Toolpath& path) {
   const std::span<const Move> moves = path.moves;
-  open_group(out, {"equidistant", style.equidistant, style.equidistant_width});
   std::size_t at = 0;
   for (const Contour& contour : path.contours) {
-    append_path(out, path_data(moves.subspan(at, contour.first - at), is_cut));
-    append_path(out, path_data(moves.subspan(contour.first, contour.last - contour.first), is_cut));
+    drawing.path(path_data(moves.subspan(at, contour.first - at), is_cut));
+    drawing.path(path_data(moves.subspan(contour.first, contour.last - contour.first), is_cut));
     at = contour.last;
   }
-  append_path(out, path_data(moves.subspan(at), is_cut));
-  out.append("  </g>\n");
-}
-
-void append_rapids(std::string& out, const Toolpath& path, const DrawingStyle& style) {
-  open_group(out, {"rapid", style.rapid, style.rapid_width, "6 5"});
-  append_path(out, path_data(path.moves, is_rapid));
-  out.append("  </g>\n");
+  drawing.path(path_data(moves.subspan(at), is_cut));
 }
 
 /// A stroke without length and with round ends: a dot of the same size at any scale.
-void append_start(std::string& out, const Toolpath& path, const DrawingStyle& style) {
-  constexpr double kDot = 8;
-  open_group(out, {"start", style.start, kDot});
+std::string start_data(const Toolpath& path) {
   std::string data = "M";
   append_number(data, coordinate(path.start.x));
   data += ' ';
   append_number(data, coordinate(path.start.y));
-  append_path(out, data + " h0");
-  out.append("  </g>\n");
-}
-
-Box sheet(const Toolpath& path) {
-  Box box = box_of(path.moves);
-  const auto add = [&box](const Box& other) {
-    if (other.empty()) return;
-    box.add(other.left, other.bottom);
-    box.add(other.right, other.top);
-  };
-  box.add(coordinate(path.start.x), coordinate(path.start.y));
-  for (const Contour& contour : path.contours) add(box_of(contour.programmed));
-  return box;
+  return data + " h0";
 }
 
 }  // namespace
 
 std::string draw_svg(const Toolpath& path, const DrawingStyle& style) {
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  append_head(out, sheet(path), style);
-  append_programmed(out, path, style);
-  append_equidistant(out, path, style);
-  append_rapids(out, path, style);
-  append_start(out, path, style);
-  out.append("</g>\n</svg>\n");
-  return out;
+  const Pen programmed{"programmed", style.programmed, style.programmed_width};
+  const Pen equidistant{"equidistant", style.equidistant, style.equidistant_width};
+  const Pen rapid{"rapid", style.rapid, style.rapid_width, style.rapid_dash};
+  const Pen start{"start", style.start, style.start_width};
+  const Sheet sheet = sheet_of(path, style);
+  Drawing drawing(sheet, style);
+  drawing.rule({programmed, equidistant, rapid, start});
+  drawing.open(programmed);
+  draw_programmed(drawing, path);
+  drawing.close();
+  drawing.open(equidistant);
+  draw_equidistant(drawing, path);
+  drawing.close();
+  drawing.open(rapid);
+  drawing.path(path_data(path.moves, is_rapid));
+  drawing.close();
+  drawing.open(start);
+  drawing.path(start_data(path));
+  drawing.close();
+  return drawing.finish();
 }
 
 }  // namespace dgt

@@ -7,7 +7,7 @@
 
 namespace dgt {
 
-/// How a drawing looks: colours as CSS writes them, widths in pixels at any scale.
+/// How a drawing looks: colours as CSS writes them, widths in pixels.
 struct DrawingStyle {
   std::string background = "#11151c";
   std::string programmed = "#2ea043";   ///< the contour as programmed, W = 0
@@ -17,6 +17,8 @@ struct DrawingStyle {
   double programmed_width = 3;  ///< wider, to be seen under the equidistant where both run
   double equidistant_width = 1.25;
   double rapid_width = 1;
+  double rapid_dash = 5;
+  double start_width = 7;
   double margin = 0.05;  ///< on each side, of the longer side of the box
   double size = 1000;    ///< of the longer side, in pixels
 };
@@ -24,7 +26,8 @@ struct DrawingStyle {
 /// The tool path as an SVG 1.1 drawing, y up.
 ///  (1) Arcs are arcs: `A` commands with the doubles of the path, a full circle as two halves.
 ///  (2) Coordinates are the path's own millimetres, in shortest form: the file can be measured.
-///  (3) The same path gives the same bytes.
+///  (3) Strokes keep their width when the drawing is scaled, where the viewer can do that.
+///  (4) The same path gives the same bytes.
 [[nodiscard]] std::string draw_svg(const Toolpath& path, const DrawingStyle& style = {});
 
 }  // namespace dgt

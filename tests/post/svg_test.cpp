@@ -96,6 +96,14 @@ TEST(DrawSvg, APathThatGoesNowhereStillHasASheet) {
   EXPECT_THAT(drawing, Not(HasSubstr("inf")));
 }
 
+TEST(DrawSvg, StrokesAreInPixelsOrElseInMillimetresOfTheSameWidth) {
+  // 16.5 mm are 1000 pixels.
+  const std::string drawing = draw_svg(corner_path());
+  EXPECT_THAT(drawing, HasSubstr(".programmed { stroke-width: 3px; }"));
+  EXPECT_THAT(group(drawing, "programmed"), HasSubstr("stroke-width=\"0.0495\""));
+  EXPECT_THAT(drawing, HasSubstr(".rapid { stroke-width: 1px; stroke-dasharray: 5px; }"));
+}
+
 TEST(DrawSvg, TheSamePathGivesTheSameBytes) {
   EXPECT_EQ(draw_svg(corner_path()), draw_svg(corner_path()));
 }
