@@ -11,6 +11,13 @@ namespace {
 /// Reports of one contour: what is wrong shows in the first, and a slot too narrow makes hundreds.
 constexpr std::size_t kMaxGouges = 10;
 
+/// A line cut against its direction bounds nothing: the tool is on the other side of it, which has
+/// a notice of its own.
+bool runs_backwards(const Leg& leg, const Move& move) {
+  const auto* line = std::get_if<Line>(leg.element.element.get());
+  return line && motion_along(*line, move.from, move.to) < 0;
+}
+
 /// The part's cut of a path, with what lies before or beyond its own meeting taken off: that is
 /// lead.
 std::vector<CutPiece> cut_of(const ContourLegs& legs, const std::vector<Move>& moves,
@@ -21,6 +28,7 @@ std::vector<CutPiece> cut_of(const ContourLegs& legs, const std::vector<Move>& m
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Leg& leg = legs.legs[leg_of_move[i]];
     if (!is_part(moves[i]) || leg.travel != Leg::Travel::Along) continue;
+    if (runs_backwards(leg, moves[i])) continue;
     if (!first) first = &moves[i];
     last = &moves[i];
     const double reach = nearest_double(abs(legs.steps[leg.element.step]));

@@ -9,8 +9,14 @@ namespace {
 
 using Kind = ContourFault::Kind;
 
-/// Motion along a line: +1 with its direction, −1 against it. Exact: both points lie on the line,
-/// and correctly rounded doubles that differ are ordered as the exact coordinates.
+bool goes_nowhere(const Leg& leg, const Point& from, const Point& to) {
+  return !leg.full_circle && indistinct(from, to);
+}
+
+}  // namespace
+
+// Exact: both points lie on the line,
+// and correctly rounded doubles that differ are ordered as the exact coordinates.
 int motion_along(const Line& line, const Point& from, const Point& to) {
   const UnitVector d = line.direction();
   const bool by_x = abs(d.x()) > abs(d.y());
@@ -18,12 +24,6 @@ int motion_along(const Line& line, const Point& from, const Point& to) {
   const int heading = by_x ? sgn(d.x()) : sgn(d.y());
   return way > 0 ? heading : way < 0 ? -heading : 0;
 }
-
-bool goes_nowhere(const Leg& leg, const Point& from, const Point& to) {
-  return !leg.full_circle && indistinct(from, to);
-}
-
-}  // namespace
 
 Shifts shifts_for(const ContourLegs& legs, int side) {
   Shifts shifts;

@@ -47,6 +47,9 @@ class Path {
   Point stands_;
 };
 
+/// Motion along a line from one point of it to another: +1 with its direction, −1 against it, 0:
+/// none.
+[[nodiscard]] int motion_along(const Line& line, const Point& from, const Point& to);
 /// What is cut as part: without leads and rapids.
 [[nodiscard]] bool is_part(const Move& move);
 /// Whether `p` lies on the stretch that `move` covers.

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/cgal/arrangement.h"
+
+#include <CGAL/Arr_circle_segment_traits_2.h>
+#include <CGAL/Arr_curve_data_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+
+#include <map>
+#include <queue>
+#include <set>
+
+#include "kernel/cgal/types.h"
+
+namespace dgt::cgal {
+namespace {
+
+/// How often, net, the raw curves run along an edge of the arrangement from left to right.
+using Count = int;
+struct AddCounts {
+  Count operator()(Count a, Count b) const { return a + b; }
+};
+
+using BaseTraits = CGAL::Arr_circle_segment_traits_2<LinearKernel>;
+using Traits = CGAL::Arr_curve_data_traits_2<BaseTraits, Count, AddCounts>;
+using Arrangement = CGAL::Arrangement_2<Traits>;
+using Halfedge = Arrangement::Halfedge_const_handle;
+using Face = Arrangement::Face_const_handle;
+
+BaseTraits::Curve_2 to_curve(const RawPiece& piece) {
+  using Point = LinearKernel::Point_2;
+  const Point from(piece.from.x, piece.from.y);
+  const Point to(piece.to.x, piece.to.y);
+  if (piece.is_line) return {from, to};
+  const LinearKernel::Circle_2 circle(
+      Point(piece.centre.x, piece.centre.y), piece.squared_radius,
+      piece.counter_clockwise ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE);
+  return {circle, BaseTraits::Point_2(from.x(), from.y()), BaseTraits::Point_2(to.x(), to.y())};
+}
+
+std::vector<Traits::X_monotone_curve_2> monotone_pieces(const std::vector<RawPiece>& pieces) {
+  const BaseTraits traits;
+  std::vector<Traits::X_monotone_curve_2> result;
+  for (const RawPiece& piece : pieces) {
+    std::vector<CGAL::Object> parts;
+    traits.make_x_monotone_2_object()(to_curve(piece), std::back_inserter(parts));
+    for (const CGAL::Object& part : parts) {
+      BaseTraits::X_monotone_curve_2 curve;
+      if (CGAL::assign(curve, part)) result.emplace_back(curve, curve.is_directed_right() ? 1 : -1);
+    }
+  }
+  return result;
+}
+
+/// The winding number rises by the net count of curves from right to left across them.
+int step_to_left(Halfedge e) {
+  const Count count = e->curve().data();
+  return e->direction() == CGAL::ARR_LEFT_TO_RIGHT ? count : -count;
+}
+
+std::map<Face, int> winding_numbers(const Arrangement& arrangement) {
+  std::map<Face, int> numbers;
+  std::queue<Face> open;
+  const Face outside = arrangement.unbounded_face();
+  numbers[outside] = 0;
+  open.push(outside);
+  while (!open.empty()) {
+    const Face face = open.front();
+    open.pop();
+    const int here = numbers.at(face);
+    const auto cross_boundary = [&](Arrangement::Ccb_halfedge_const_circulator first) {
+      auto e = first;
+      do {  // e has the face on its left
+        const Face beyond = e->twin()->face();
+        if (numbers.try_emplace(beyond, here - step_to_left(e)).second) open.push(beyond);
+      } while (++e != first);
+    };
+    for (auto ccb = face->outer_ccbs_begin(); ccb != face->outer_ccbs_end(); ++ccb)
+      cross_boundary(*ccb);
+    for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb)
+      cross_boundary(*ccb);
+  }
+  return numbers;
+}
+
+ExactPoint to_point(const Traits::Point_2& p) {
+  const auto coordinate = [](const auto& c) {
+    return c.is_extended() ? OneRoot(c.a0(), c.a1(), c.root()) : OneRoot(c.a0());
+  };
+  return {coordinate(p.x()), coordinate(p.y())};
+}
+
+OffsetPiece to_piece(Halfedge e) {
+  OffsetPiece piece;
+  piece.from = to_point(e->source()->point());
+  piece.to = to_point(e->target()->point());
+  const auto& curve = e->curve();
+  piece.is_line = curve.is_linear();
+  if (piece.is_line) return piece;
+  const auto circle = curve.supporting_circle();
+  piece.centre = {circle.center().x(), circle.center().y()};
+  // The radii of raw pieces are rational by construction.
+  piece.radius = exact_sqrt(circle.squared_radius()).value();
+  const bool along = (e->direction() == CGAL::ARR_LEFT_TO_RIGHT) == curve.is_directed_right();
+  const bool ccw = (curve.orientation() == CGAL::COUNTERCLOCKWISE) == along;
+  if (!ccw) piece.radius = -piece.radius;
+  return piece;
+}
+
+}  // namespace
+
+std::vector<OffsetLoop> faces_with_winding_number(const std::vector<RawPiece>& pieces, int wanted) {
+  Arrangement arrangement;
+  const auto curves = monotone_pieces(pieces);
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+  const std::map<Face, int> numbers = winding_numbers(arrangement);
+  const auto inside = [&](Halfedge e) { return numbers.at(e->face()) == wanted; };
+
+  std::vector<OffsetLoop> loops;
+  std::set<Halfedge> used;
+  for (auto it = arrangement.halfedges_begin(); it != arrangement.halfedges_end(); ++it) {
+    const Halfedge first = it;
+    if (!inside(first) || inside(first->twin()) || used.contains(first)) continue;
+    OffsetLoop& loop = loops.emplace_back();
+    Halfedge e = first;
+    do {
+      used.insert(e);
+      loop.pieces.push_back(to_piece(e));
+      // Round the end vertex within the region, over edges that have it on both sides.
+      e = e->next();
+      while (inside(e->twin())) e = e->twin()->next();
+    } while (e != first);
+  }
+  return loops;
+}
+
+}  // namespace dgt::cgal
