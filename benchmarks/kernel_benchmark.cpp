@@ -20,7 +20,7 @@ const Circle& circle() {
   return c;
 }
 const Circle& other_circle() {
-  static const Circle c({Rational(92, 10), Rational(-13, 10)}, -4);
+  static const Circle c({Rational(72, 10), Rational(13, 10)}, -4);
   return c;
 }
 KnownPoint outside() { return known_point(RationalPoint{40, Rational(-77, 10)}); }
