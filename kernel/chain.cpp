@@ -92,10 +92,4 @@ Chain reversed(const Chain& chain) {
   return result;
 }
 
-Rational twice_chord_area(const Chain& chain) {
-  Rational sum = 0;
-  for (const ChainEdge& e : chain.edges) sum += cross(e.from, e.to);
-  return sum;
-}
-
 }  // namespace dgt

@@ -51,8 +51,4 @@ struct BulgeVertex {
 
 [[nodiscard]] Chain reversed(const Chain& chain);
 
-/// Twice the signed area of a closed chain, counter-clockwise positive; arcs by the trapezoids of
-/// their chords alone. Exact; enough to tell the outermost loop and its sense.
-[[nodiscard]] Rational twice_chord_area(const Chain& chain);
-
 }  // namespace dgt

@@ -48,6 +48,7 @@ inline constexpr double kOffsetResolution = 1e-9;
 /// mm², counter-clockwise positive, and mm; within a few units in the last place of the
 /// coordinates.
 [[nodiscard]] double area(const OffsetLoop& loop);
+[[nodiscard]] double area(const Chain& closed);
 [[nodiscard]] double length(const OffsetLoop& loop);
 
 /// Whether no edge of the loops comes nearer to `p` than `distance` ≥ 0; exact.

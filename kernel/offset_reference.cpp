@@ -67,14 +67,15 @@ std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops, const Rational&
 }
 
 /// The winding number of the region left of the loops: 1 inside an outermost counter-clockwise
-/// loop, 0 where the region reaches to infinity.
+/// loop, 0 where the region reaches to infinity. The loop of the largest area is an outermost one;
+/// doubles tell its sense, since its area is far from 0 wherever there is a region at all.
 int number_of_region(const std::vector<Chain>& loops) {
-  Rational largest = 0;
+  double largest = 0;
   for (const Chain& loop : loops) {
-    const Rational area = twice_chord_area(loop);
-    if (abs(area) > abs(largest)) largest = area;
+    const double a = area(loop);
+    if (std::fabs(a) > std::fabs(largest)) largest = a;
   }
-  return sgn(largest) < 0 ? 0 : 1;
+  return largest < 0 ? 0 : 1;
 }
 
 Box box_of(const OffsetLoop& loop) {
@@ -229,6 +230,14 @@ double area(const OffsetLoop& loop) {
     sum += r * r * (theta - std::sin(theta));
   }
   return sum / 2;
+}
+
+double area(const Chain& closed) {
+  OffsetLoop loop;
+  for (const ChainEdge& e : closed.edges)
+    loop.pieces.push_back(
+        {ExactPoint(e.from), ExactPoint(e.to), e.is_line(), e.centre(), e.radius});
+  return area(loop);
 }
 
 double length(const OffsetLoop& loop) {
