@@ -8,6 +8,7 @@
 #include <array>
 
 #include "lang/text/encoding.h"
+#include "lang/text/reading.h"
 
 namespace dgt::language {
 namespace {
@@ -51,7 +52,9 @@ struct Lexer::Character {
 };
 
 Lexer::Lexer(const SourceFile& file, DiagnosticBag& bag)
-    : file_(file), text_(file.text()), bag_(bag) {}
+    : file_(file), text_(file.text()), bag_(bag) {
+  report_reading(file, bag);
+}
 
 bool Lexer::next_line(Line& line) {
   if (line_number_ == file_.line_count()) return false;
@@ -312,7 +315,8 @@ void Lexer::read_comment() {
   push(WordKind::Directive, begin).number_begin = begin + 2;
 }
 
-// One report for a whole run of them, since they come in words.
+// One report for a whole run of them, since they come in words. Bytes that were no text have been
+// reported with the file.
 void Lexer::report_unknown_characters() {
   const std::uint32_t begin = at_;
   bool undecodable = false;
@@ -321,8 +325,8 @@ void Lexer::report_unknown_characters() {
     undecodable = undecodable || c.value == kReplacementCharacter;
     at_ += c.size;
   } while (at_ < end_ && static_cast<unsigned char>(text_[at_]) >= 0x80 && look(at_).latin == 0);
-  if (undecodable) {
-    fail(Message::UndecodableText, from(begin), {});
+  if (undecodable && !file_.strays().empty()) {
+    line_->broken = true;
   } else {
     fail(Message::UnknownCharacter, from(begin), {std::string(from(begin).text())});
   }

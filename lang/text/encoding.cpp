@@ -19,7 +19,8 @@ constexpr std::u16string_view kWindows1251 =
     u"ЂЃ‚ѓ„…†‡€‰Љ‹ЊЌЋЏђ‘’“”•–—\uFFFD™љ›њќћџ\u00A0ЎўЈ¤Ґ¦§Ё©Є«¬\u00AD®Ї°±Ііґµ¶·ё№є»јЅѕї"
     u"АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдежзийклмнопрстуфхцчшщъыьэюя";
 constexpr std::u16string_view kCp866 =
-    u"АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдежзийклмноп░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀"
+    u"АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдежзийклмноп░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄"
+    u"▌▐▀"
     u"рстуфхцчшщъыьэюяЁёЄєЇїЎў°∙·√№¤■\u00A0";
 constexpr std::u16string_view kKoi8R =
     u"─│┌┐└┘├┤┬┴┼▀▄█▌▐░▒▓⌠■∙√≈≤≥\u00A0⌡°²·÷═║╒ё╓╔╕╖╗╘╙╚╛╜╝╞╟╠╡Ё╢╣╤╥╦╧╨╩╪╫╬©"
@@ -66,8 +67,8 @@ void append_stray(Decoded& decoded, char byte) {
 void append_text(Decoded& decoded, std::string_view bytes) {
   decoded.text.reserve(bytes.size());
   for (std::size_t i = 0; i < bytes.size();) {
-    const auto high = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.end(),
-                                   is_high);
+    const auto high =
+        std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.end(), is_high);
     const auto run = static_cast<std::size_t>(high - bytes.begin()) - i;
     decoded.text.append(bytes, i, run);
     i += run;

@@ -23,16 +23,19 @@ std::vector<std::uint32_t> find_line_starts(std::string_view text) {
 
 }  // namespace
 
-SourceFile::SourceFile(std::string name, std::string_view bytes)
-    : name_(std::move(name)), text_(decode(bytes)) {
-  DGT_CHECK(text_.size() < std::numeric_limits<std::uint32_t>::max());
-  line_starts_ = find_line_starts(text_);
+SourceFile::SourceFile(std::string name, std::string_view bytes, std::optional<Encoding> forced)
+    : name_(std::move(name)), is_utf16_(!forced && looks_like_utf16(bytes)) {
+  if (is_utf16_) bytes = {};
+  if (!forced) guess_ = detect_encoding(bytes);
+  read_ = decode(bytes, forced ? *forced : guess_->encoding);
+  DGT_CHECK(read_.text.size() < std::numeric_limits<std::uint32_t>::max());
+  line_starts_ = find_line_starts(read_.text);
 }
 
 std::string_view SourceFile::line_text(std::uint32_t line) const {
   const std::size_t begin = line_starts_[line - 1];
-  const std::size_t end = line < line_count() ? line_starts_[line] : text_.size();
-  std::string_view text = text_;
+  const std::size_t end = line < line_count() ? line_starts_[line] : read_.text.size();
+  std::string_view text = read_.text;
   text = text.substr(begin, end - begin);
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
   return text;

@@ -3,9 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lang/text/detect.h"
+#include "lang/text/encoding.h"
 
 namespace dgt {
 
@@ -23,13 +27,23 @@ struct Place {
 /// a line. Ranges point into it, so it stays where it is.
 class SourceFile {
  public:
-  /// `bytes` as read from disk; decoded here. At most 4 GiB (checked).
-  SourceFile(std::string name, std::string_view bytes);
+  /// `bytes` as read from disk; decoded here, in the encoding that they look like when none is
+  /// forced. The text of a file in UTF-16 is empty. At most 4 GiB of text (checked).
+  SourceFile(std::string name, std::string_view bytes,
+             std::optional<Encoding> forced = std::nullopt);
   SourceFile(const SourceFile&) = delete;
   SourceFile& operator=(const SourceFile&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] std::string_view text() const { return text_; }
+  /// Valid UTF-8 in any case.
+  [[nodiscard]] std::string_view text() const { return read_.text; }
+  /// How the text lay in the file; encode() writes it so again.
+  [[nodiscard]] const TextForm& form() const { return read_.form; }
+  /// Bytes that were no text.
+  [[nodiscard]] const std::vector<StrayBytes>& strays() const { return read_.strays; }
+  /// How the encoding was found; nothing when it was forced.
+  [[nodiscard]] const std::optional<EncodingGuess>& guess() const { return guess_; }
+  [[nodiscard]] bool is_utf16() const { return is_utf16_; }
   /// At least 1; a line end at the end of the file opens no further line.
   [[nodiscard]] std::uint32_t line_count() const {
     return static_cast<std::uint32_t>(line_starts_.size());
@@ -45,7 +59,9 @@ class SourceFile {
 
  private:
   std::string name_;
-  std::string text_;
+  bool is_utf16_ = false;
+  std::optional<EncodingGuess> guess_;
+  Decoded read_;
   std::vector<std::uint32_t> line_starts_;
 };
 

@@ -129,11 +129,16 @@ TEST(Lexer, ReportsWhatIsNoWordAndReadsOn) {
   EXPECT_EQ(lexed.line.words.size(), 2U);
 }
 
-TEST(Lexer, ReportsUndecodableBytesOutsideComments) {
-  EXPECT_EQ(render(Lexed("L1 \xFF\xFE").bag),
-            "t.bgt:1:4: error: these bytes are no text in the encoding of the file [DGT0102]\n"
-            "L1 \uFFFD\uFFFD\n   ^~\n");
-  EXPECT_TRUE(Lexed("L1 ' \xFF\xFE").bag.empty());
+TEST(Lexer, BytesThatAreNoTextAreReportedOnceWhereverTheyStand) {
+  const Lexed lexed("L1 \xFF\xFE L2 ' привет");
+  EXPECT_EQ(render(lexed.bag),
+            "t.bgt:1:4: error: the bytes FF FE are no text in utf-8 [DGT0102]\n"
+            "L1 \uFFFD\uFFFD L2 ' привет\n   ^~\n");
+  EXPECT_TRUE(lexed.line.broken);
+  EXPECT_EQ(lexed.line.words.size(), 2U) << "the rest is read";
+  EXPECT_EQ(render(Lexed("L1 ' привет \xFF").bag),
+            "t.bgt:1:13: error: the bytes FF are no text in utf-8 [DGT0102]\n"
+            "L1 ' привет \uFFFD\n            ^\n");
 }
 
 TEST(Lexer, ReportsVariablesThatDoNotExist) {
