@@ -104,18 +104,21 @@ class ContourRun:
             self.items.append((letter, value))
 
     def finish(self):
+        """The contour as `dgt path` tells it; None for an empty one."""
+        if not self.items:
+            return None
         width = next((v for letter, v in self.items if letter == "W"), 0.0)
         sign = self.sign_of_offset()
         decisions = []
         shadow = copy.deepcopy(self.tool)
         programmed = Pass(shadow, 0.0, decisions, replay=False)
         programmed.run(self.items)
-        first, first_shadow = len(self.tool.moves), len(self.tool.moves)
+        first = len(self.tool.moves)
         Pass(self.tool, sign, decisions, replay=True).run(self.items)
         side = {0.0: "none", 1.0: "left", -1.0: "right"}[sign]
         return {"id": self.number, "offset": width, "side": side,
                 "closed": is_closed(programmed.pieces),
-                "programmed": shadow.moves[first_shadow:], "moves": self.tool.moves[first:]}
+                "programmed": shadow.moves[first:], "moves": self.tool.moves[first:]}
 
     def sign_of_offset(self):
         """+1 when a positive W lies left of the elements, -1 when right, 0 without an offset."""
@@ -124,13 +127,15 @@ class ContourRun:
             return 0.0
         if self.offset_side != "auto":
             return 1.0 if self.offset_side == "left" else -1.0
+        if any(letter == "W" and v < 0 for letter, v in self.items):
+            raise g.NoSolution("W < 0 tells no side")
         at, approach = self.tool.at, None
         for letter, value in self.items:
             if letter == "point":
                 approach = value
             elif letter == "element":
                 height = value.height(at if approach is None else approach)
-                if abs(height) < kSame or widths[0] < 0:
+                if abs(height) < kSame:
                     raise g.NoSolution("no side can be told")
                 return math.copysign(1.0, height)
         raise g.NoSolution("an offset without an element")
@@ -147,7 +152,7 @@ class Pass:
         self.width = 0.0  # offset to the left in force
         self.current = None  # (element, its offset) being followed
         self.started = False  # False: the first pair only positions
-        self.lead = None  # the point or axis line the next element is approached from
+        self.lead = None  # the point or axis line the tool came to last
         self.begun_at = None  # foot where an element approached from a point was begun
         self.joint = None  # R, V or D read since the element
         self.selector = 1
@@ -219,7 +224,7 @@ class Pass:
         if self.started:
             self.follow(self.current[0], point, full=full)
         else:
-            self.straight(point, "position")
+            self.straight(point, "lead-in")
 
     # --- items ---
 
@@ -242,14 +247,14 @@ class Pass:
             self.begun_at = element.foot(self.lead)
             self.straight(self.begun_at, "lead-in")
         elif self.lead is not None:
-            self.straight(self.crossing(self.lead, element), "position")
+            self.straight(self.crossing(self.lead, element), "lead-in")
 
     def point(self, point):
         if self.thread_next:
             self.thread_next = False
             self.tool.thread(point)
             return
-        role = "position"
+        role = "contour" if isinstance(self.lead, complex) else "position"
         if self.current:
             foot = self.current[0].foot(point)
             alone = self.begun_at is not None and self.tool.at == self.begun_at

@@ -91,7 +91,8 @@ class Program:
 
     def close_contour(self):
         if self.contour:
-            self.contours.append(self.contour.finish())
+            done = self.contour.finish()
+            self.contours += [done] if done else []
             self.contour = None
 
     # --- statements ---
