@@ -156,6 +156,23 @@ TEST(ChainOfTurns, AThousandTurnedLinesKeepTheirHeightAndTheirAngle) {
   EXPECT_GT(line.direction().x(), 0);
 }
 
+TEST(Height, OfACappedDirectionTheTurnSaysHowFarItMoved) {
+  UnitVector long_normal({Rational(3, 5), Rational(4, 5)});
+  while (height(long_normal.x()) <= kMaxHeight)
+    long_normal = rotated(long_normal, UnitVector({Rational(3, 5), Rational(4, 5)}));
+  const RationalPoint p{Rational(1, 3), 7};
+  for (const UnitVector& n : {long_normal, -long_normal, turned_left(long_normal)}) {
+    const Constructed<Line> line = parallel_through(known_point(p), Line(n, 0));
+    EXPECT_LE(height_of(line.value), 512U);
+    const Rational sine = abs(cross(line.value.normal().vector(), n.vector()));
+    EXPECT_GT(sgn(dot(line.value.normal().vector(), n.vector())), 0);
+    EXPECT_GT(sine, 0);
+    EXPECT_LE(sine, Rational(line.turn));
+    EXPECT_LE(abs(line.value.distance_to_left(p)), Rational(line.bound));
+    EXPECT_LE(line.turn, 0x1p-189);
+  }
+}
+
 TEST(Height, OfACappedElementIsSmallAndTheBoundSaysHowFarItMoved) {
   const Rational third = Rational(1) / 3;
   Rational deep = third;
