@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lang/text/utf8.h"
+
 namespace dgt {
 namespace {
 
@@ -25,7 +27,7 @@ std::span<const MessageInfo> all_messages() { return kMessages; }
 
 std::string text(Message message, std::span<const std::string> arguments, Language language) {
   fmt::dynamic_format_arg_store<fmt::format_context> store;
-  for (const std::string& argument : arguments) store.push_back(std::cref(argument));
+  for (const std::string& argument : arguments) store.push_back(visible(argument));
   const MessageInfo& row = info(message);
   return fmt::vformat(language == Language::Russian ? row.russian : row.english, store);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "lang/text/encoding.h"
 
@@ -13,7 +14,9 @@ namespace {
 
 constexpr std::uint32_t kWindow = 120;  // characters of a source line shown
 constexpr std::uint32_t kBefore = 40;   // of them before the caret, when the line is cut
+constexpr std::uint32_t kTabStop = 8;
 constexpr std::string_view kEllipsis = "…";
+constexpr std::string_view kForInvisible = "\uFFFD";
 
 struct Style {
   std::string_view begin;
@@ -49,58 +52,85 @@ std::string_view severity_escape(Severity severity) {
   return "\x1b[1;36m";
 }
 
-// `count` characters of `line` from character `first` on, control characters as blanks.
-std::string window_of(std::string_view line, std::uint32_t first, std::uint32_t count) {
-  std::string shown;
-  std::uint32_t index = 0;
-  for (std::size_t i = 0; i < line.size() && index < first + count; ++index) {
-    const CodePoint c = code_point_at(line, i);
-    if (index >= first) {
-      const bool control = (c.value < 0x20 && c.value != '\t') || c.value == 0x7F;
-      shown += control ? std::string_view(" ") : line.substr(i, c.size);
+// A part of a source line as it is shown: tabs as blanks, what nobody can see as a sign that one
+// can, `…` where the line was cut.
+class Window {
+ public:
+  // The part around character `at` (from 0) of `line`; all of a line that fits.
+  Window(std::string_view line, std::uint32_t at) {
+    const bool fits = line.size() <= kWindow || count_code_points(line) <= kWindow;
+    first_ = !fits && at > kWindow - kBefore ? at - kBefore : 0;
+    const std::string_view shown = without_first(line, first_);
+    if (first_ > 0) append(kEllipsis, 1);
+    std::size_t i = 0;
+    for (std::uint32_t count = 0; i < shown.size() && count < kWindow; ++count) {
+      const CodePoint c = code_point_at(shown, i);
+      columns_.push_back(width_);
+      append_character(c.value, shown.substr(i, c.size));
+      i += c.size;
     }
-    i += c.size;
+    columns_.push_back(width_);
+    if (i < shown.size()) append(kEllipsis, 1);
   }
-  return shown;
-}
 
-// As many blanks as `shown` has characters, its tabs kept, so that what follows lines up with it.
-std::string blanks_like(std::string_view shown) {
-  std::string blanks;
-  for (std::size_t i = 0; i < shown.size();) {
-    const CodePoint c = code_point_at(shown, i);
-    blanks += c.value == '\t' ? '\t' : ' ';
-    i += c.size;
+  [[nodiscard]] const std::string& text() const { return text_; }
+  // True when character `at` of the line, or the end behind the last one, can be pointed at.
+  [[nodiscard]] bool shows(std::uint32_t at) const {
+    return at >= first_ && at - first_ < columns_.size();
   }
-  return blanks;
-}
+  // Where character `at` is shown, in columns of the terminal from 0. Past the window: its end.
+  [[nodiscard]] std::uint32_t column_of(std::uint32_t at) const {
+    return columns_[std::min<std::size_t>(at - first_, columns_.size() - 1)];
+  }
+
+ private:
+  static std::string_view without_first(std::string_view line, std::uint32_t count) {
+    std::size_t i = 0;
+    for (; count > 0; --count) i += code_point_at(line, i).size;
+    return line.substr(i);
+  }
+
+  void append(std::string_view text, std::uint32_t width) {
+    text_ += text;
+    width_ += width;
+  }
+
+  void append_character(char32_t value, std::string_view bytes) {
+    if (value == '\t') {
+      const std::uint32_t blanks = kTabStop - width_ % kTabStop;
+      append(std::string(blanks, ' '), blanks);
+    } else if (is_invisible(value)) {
+      append(kForInvisible, 1);
+    } else {
+      append(bytes, display_width(value));
+    }
+  }
+
+  std::string text_;
+  std::uint32_t first_ = 0;             // character of the line shown
+  std::uint32_t width_ = 0;             // of `text_`, in columns
+  std::vector<std::uint32_t> columns_;  // of the characters shown, then of the end
+};
 
 void append_source(std::string& out, const Range& range, const std::optional<FixIt>& fix_it,
                    Colour colour) {
   const Place place = range.place();
-  const std::string_view line = range.file->line_text(place.line);
-  const std::uint32_t length = count_code_points(line);
   const std::uint32_t at = place.column - 1;
-  std::uint32_t first = 0;
-  if (length > kWindow && at > kWindow - kBefore) first = at - kBefore;
-  const std::string_view left = first > 0 ? kEllipsis : "";
-  const std::string_view right = length > first + kWindow ? kEllipsis : "";
-  const std::string before = std::string(left) + window_of(line, first, at - first);
-  fmt::format_to(std::back_inserter(out), "{}{}{}\n", left, window_of(line, first, kWindow), right);
-
-  const std::uint32_t visible = std::min(place.length, first + kWindow - at);
-  const std::string tildes(visible > 1 ? visible - 1 : 0, '~');
+  const Window window(range.file->line_text(place.line), at);
   const Style green = style("\x1b[1;32m", colour);
-  const std::string margin = blanks_like(before);
-  fmt::format_to(std::back_inserter(out), "{}{}^{}{}\n", margin, green.begin, tildes, green.end);
-  if (!fix_it || fix_it->replacement.empty() || fix_it->range.file != range.file) return;
+  const auto below = [&](std::uint32_t column, const std::string& shown) {
+    fmt::format_to(std::back_inserter(out), "{}{}{}{}\n", std::string(column, ' '), green.begin,
+                   shown, green.end);
+  };
+  out.append(window.text()).append("\n");
+  const std::uint32_t begin = window.column_of(at);
+  const std::uint32_t end = std::max(window.column_of(at + place.length), begin + 1);
+  below(begin, "^" + std::string(end - begin - 1, '~'));
 
+  if (!fix_it || fix_it->replacement.empty() || fix_it->range.file != range.file) return;
   const Place fix = fix_it->range.place();
-  if (fix.line != place.line || fix.column - 1 < first || fix.column - 1 >= first + kWindow) return;
-  const std::string fix_margin =
-      blanks_like(std::string(left) + window_of(line, first, fix.column - 1 - first));
-  fmt::format_to(std::back_inserter(out), "{}{}{}{}\n", fix_margin, green.begin,
-                 fix_it->replacement, green.end);
+  if (fix.line != place.line || !window.shows(fix.column - 1)) return;
+  below(window.column_of(fix.column - 1), visible(fix_it->replacement));
 }
 
 void append(std::string& out, Message message, const Range& range,
@@ -111,7 +141,7 @@ void append(std::string& out, Message message, const Range& range,
   const Style bold = style("\x1b[1m", options.colour);
   const Style hue = style(severity_escape(severity), options.colour);
   fmt::format_to(std::back_inserter(out), "{}{}:{}:{}:{} {}{}:{} {}{}{} [{}]\n", bold.begin,
-                 range.file->name(), place.line, place.column, bold.end, hue.begin,
+                 visible(range.file->name()), place.line, place.column, bold.end, hue.begin,
                  severity_word(severity), hue.end, bold.begin,
                  text(message, arguments, options.language), bold.end, info(message).code);
   append_source(out, range, fix_it, options.colour);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lang/text/utf8.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -123,5 +125,19 @@ std::uint32_t display_width(char32_t value) {
 }
 
 bool is_invisible(char32_t value) { return is_in(kInvisible, value); }
+
+std::string visible(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint c = code_point_at(text, i);
+    if (is_invisible(c.value) || c.value == '\n' || c.value == '\r') {
+      shown += fmt::format("U+{:04X}", static_cast<std::uint32_t>(c.value));
+    } else {
+      append_utf8(shown, c.value == '\t' ? U' ' : c.value);
+    }
+    i += c.size;
+  }
+  return shown;
+}
 
 }  // namespace dgt

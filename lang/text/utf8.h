@@ -44,4 +44,8 @@ void append_utf8(std::string& text, char32_t value);
 /// tabulator and line ends), zero-width characters and marks that turn the direction of writing.
 [[nodiscard]] bool is_invisible(char32_t value);
 
+/// The text fit for a person's eyes, on one line and valid UTF-8 whatever it was: what is invisible
+/// and line ends as `U+200B`, tabs as blanks, bytes that are no text as U+FFFD.
+[[nodiscard]] std::string visible(std::string_view text);
+
 }  // namespace dgt

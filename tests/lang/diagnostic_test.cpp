@@ -7,8 +7,6 @@
 #include <set>
 #include <string>
 
-#include "lang/text/render.h"
-
 namespace dgt {
 namespace {
 
@@ -40,6 +38,12 @@ TEST(Messages, CodesAreUniqueAndWellFormed) {
     EXPECT_TRUE(codes.insert(row.code).second) << row.code;
     EXPECT_TRUE(std::regex_match(std::string(row.code), kCode)) << row.code;
   }
+}
+
+TEST(Messages, ArgumentsAreMadeVisible) {
+  const std::vector<std::string> arguments = {"\u200B\x1B[2J\n\t\xFF"};
+  EXPECT_EQ(text(Message::UnknownCharacter, arguments, Language::English),
+            "'U+200BU+001B[2JU+000A \uFFFD' has no meaning in the language");
 }
 
 TEST(DiagnosticBag, KeepsTheSameMessageAboutTheSameRangeOnce) {
@@ -80,48 +84,6 @@ TEST(DiagnosticBag, SortsByFileAsFirstMetThenByPlace) {
   EXPECT_EQ(bag.all()[0].range, (Range{&main, 0, 1}));
   EXPECT_EQ(bag.all()[1].range, (Range{&main, 2, 3}));
   EXPECT_EQ(bag.all()[2].range, (Range{&macro, 0, 1}));
-}
-
-TEST(Render, ShowsPlaceTextCodeLineCaretAndFixIt) {
-  const SourceFile file("a.bgt", "\tС2 Р14 L5\n");
-  const auto begin = static_cast<std::uint32_t>(file.text().find("Р14"));
-  const Range range{&file, begin, begin + 4};
-  const Diagnostic diagnostic{Message::LookAlike, range, {"Р14", "P14"}, {}, FixIt{range, "P14"}};
-  EXPECT_EQ(render(diagnostic),
-            "a.bgt:1:5: warning: 'Р14' is not Latin; read as 'P14' [DGT0103]\n"
-            "\tС2 Р14 L5\n"
-            "\t   ^~~\n"
-            "\t   P14\n");
-  EXPECT_EQ(render(diagnostic, {Language::Russian, Colour::Plain}),
-            "a.bgt:1:5: warning: «Р14» набрано не латиницей; прочитано как «P14» [DGT0103]\n"
-            "\tС2 Р14 L5\n"
-            "\t   ^~~\n"
-            "\t   P14\n");
-}
-
-TEST(Render, ColoursOnlyWhenAsked) {
-  const SourceFile file("a.bgt", "L");
-  const Diagnostic diagnostic{Message::MissingNumber, {&file, 0, 1}, {"L"}};
-  EXPECT_EQ(render(diagnostic, {Language::English, Colour::Ansi}),
-            "\x1b[1ma.bgt:1:1:\x1b[0m \x1b[1;31merror:\x1b[0m \x1b[1m'L' needs a number\x1b[0m "
-            "[DGT0202]\nL\n\x1b[1;32m^\x1b[0m\n");
-}
-
-TEST(Render, ShowsAWindowOfALongLine) {
-  const SourceFile file("a.bgt", std::string(300, 'a') + "bcd" + std::string(300, 'e'));
-  const std::string shown = render({Message::Unexpected, {&file, 300, 303}, {"bcd"}});
-  const std::string line = "…" + std::string(40, 'a') + "bcd" + std::string(77, 'e') + "…";
-  EXPECT_EQ(shown, "a.bgt:1:301: error: 'bcd' cannot stand here [DGT0201]\n" + line + "\n" +
-                       std::string(41, ' ') + "^~~\n");
-}
-
-TEST(Render, ShowsNotesInTheSameForm) {
-  const SourceFile file("a.bgt", "ab\ncd\n");
-  const Diagnostic diagnostic{
-      Message::Unexpected, {&file, 0, 2}, {"ab"}, {{Message::Unexpected, {&file, 3, 4}, {"c"}}}};
-  EXPECT_EQ(render(diagnostic),
-            "a.bgt:1:1: error: 'ab' cannot stand here [DGT0201]\nab\n^~\n"
-            "a.bgt:2:1: error: 'c' cannot stand here [DGT0201]\ncd\n^\n");
 }
 
 }  // namespace
