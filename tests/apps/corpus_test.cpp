@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every program of tests/corpus against what it gave when a person last looked at it. A change of
+// any figure shows as a changed golden file: `DGT_UPDATE_GOLDEN=1 ctest -R Corpus` rewrites them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/support/command.h"
+
+namespace dgt {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using support::Outcome;
+using support::read_text;
+
+/// One golden file of each kind belongs to every program; with `.txt` added when refused.
+struct Output {
+  const char* extension;
+  std::vector<std::string> arguments;  ///< before the name of the program
+};
+
+const std::vector<Output> kOutputs = {
+    {".path", {"dump"}},
+    {".ess", {"compile", "--post", "essi"}},
+    {".cnc", {"compile", "--post", "plasmatic"}},
+    {".ngc", {"compile", "--post", "linuxcnc"}},
+};
+
+fs::path folder() { return support::corpus(""); }
+fs::path golden(const std::string& file) { return folder() / "golden" / file; }
+
+/// The programs, as paths from the corpus' folder without `.bgt`, in order.
+std::vector<std::string> programs() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder())) {
+    if (entry.path().extension() != ".bgt") continue;
+    names.push_back(entry.path().lexically_relative(folder()).replace_extension().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Run from the corpus' folder, so that messages name files the same way everywhere.
+Outcome run(std::vector<std::string> arguments, const std::string& program) {
+  arguments.push_back(program + ".bgt");
+  return support::run_dgt(arguments, {.folder = folder()});
+}
+
+bool updating() { return std::getenv("DGT_UPDATE_GOLDEN") != nullptr; }
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+void hold_against_golden(const std::string& name, const Outcome& outcome) {
+  const bool done = outcome.exit_code == 0;
+  const fs::path given = golden(name);
+  const fs::path refused = golden(name + ".txt");
+  const std::string& text = done ? outcome.out : outcome.err;
+  if (updating()) {
+    fs::remove(done ? refused : given);
+    write(done ? given : refused, text);
+    return;
+  }
+  ASSERT_TRUE(fs::exists(done ? given : refused))
+      << name << (done ? ": used to be refused\n" : ": used to be written\n") << text;
+  EXPECT_EQ(text, read_text(done ? given : refused)) << name;
+}
+
+// --- every program ------------------------------------------------------------------------------
+
+class CorpusProgram : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CorpusProgram, GivesItsGoldenFiles) {
+  for (const Output& output : kOutputs) {
+    const Outcome outcome = run(output.arguments, GetParam());
+    ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err;
+    hold_against_golden(GetParam() + output.extension, outcome);
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, CorpusProgram, ::testing::ValuesIn(programs()), test_name);
+
+TEST(Corpus, EveryGoldenFileBelongsToAProgram) {
+  const std::vector<std::string> all = programs();
+  std::set<fs::path> wanted;
+  for (const std::string& program : all) {
+    for (const Output& output : kOutputs) {
+      wanted.insert(golden(program + output.extension));
+      wanted.insert(golden(program + output.extension + ".txt"));
+    }
+  }
+  ASSERT_GT(all.size(), 100U);
+  for (const auto& entry : fs::recursive_directory_iterator(golden(""))) {
+    if (!entry.is_regular_file()) continue;
+    EXPECT_TRUE(wanted.contains(entry.path())) << entry.path();
+  }
+}
+
+// --- programs that say the same -----------------------------------------------------------------
+
+/// The path without the places in the source.
+json path_of(const std::string& program) {
+  const Outcome outcome = run({"path"}, program);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  json path = json::parse(outcome.out);
+  const auto forget_places = [](json& moves) {
+    for (json& move : moves) move.erase("source");
+  };
+  forget_places(path["moves"]);
+  for (json& contour : path["contours"]) {
+    forget_places(contour["programmed"]);
+    forget_places(contour["moves"]);
+  }
+  return path;
+}
+
+void expect_same_path(const std::string& program, const std::string& other) {
+  const json path = path_of(program);
+  EXPECT_FALSE(path["moves"].empty());
+  EXPECT_EQ(path, path_of(other)) << program << " and " << other;
+}
+
+TEST(Corpus, ALoopGivesThePathOfItsTurnsWrittenOut) { expect_same_path("1P", "2P"); }
+TEST(Corpus, VariablesGiveThePathOfTheirValues) { expect_same_path("4P", "4P-plain"); }
+TEST(Corpus, ALoopInAContourGivesThePathOfItsTurnsWrittenOut) {
+  expect_same_path("rows/contour_lal", "rows/loop_contour");
+}
+
+}  // namespace
+}  // namespace dgt
