@@ -133,21 +133,25 @@ bool is_major(const WrittenArc& arc) {
 }
 
 /// What a centre costs: the difference of the radii plus the error in the middle of the arc.
-long double cost(const WrittenArc& arc, const Chord& chord, const ArcBalls& exact) {
+long double cost(const WrittenArc& arc, const Chord& chord, const ArcBalls& exact, double limit) {
   const auto cx = static_cast<long double>(arc.centre.x);
   const auto cy = static_cast<long double>(arc.centre.y);
-  const long double r1 = std::hypot(static_cast<long double>(arc.from.x) - cx,
-                                    static_cast<long double>(arc.from.y) - cy);
+  const auto length = [](long double x, long double y) { return std::sqrt(x * x + y * y); };
+  const long double r1 =
+      length(static_cast<long double>(arc.from.x) - cx, static_cast<long double>(arc.from.y) - cy);
   const long double r2 =
-      std::hypot(static_cast<long double>(arc.to.x) - cx, static_cast<long double>(arc.to.y) - cy);
+      length(static_cast<long double>(arc.to.x) - cx, static_cast<long double>(arc.to.y) - cy);
   const long double r = (r1 + r2) / 2;
   const long double error =
-      std::hypot(cx + r * chord.nx - exact.centre.x.mid, cy + r * chord.ny - exact.centre.y.mid) -
+      length(cx + r * chord.nx - exact.centre.x.mid, cy + r * chord.ny - exact.centre.y.mid) -
       exact.radius.mid;
-  return std::fabs(r1 - r2) + std::fabs(error);
+  const long double mismatch = std::fabs(r1 - r2);
+  constexpr long double kRefused = 1000;  // nothing else is worth an arc that has to be divided
+  return mismatch + std::fabs(error) + (mismatch < 0.999L * limit ? 0 : kRefused);
 }
 
-std::optional<GridPoint> best_centre(WrittenArc arc, const Chord& chord, const ArcBalls& exact) {
+std::optional<GridPoint> best_centre(WrittenArc arc, const Chord& chord, const ArcBalls& exact,
+                                     double limit) {
   const long double along =
       (exact.centre.x.mid - chord.mx) * chord.nx + (exact.centre.y.mid - chord.my) * chord.ny;
   const long double foot_x = std::round(chord.mx + along * chord.nx);
@@ -160,7 +164,7 @@ std::optional<GridPoint> best_centre(WrittenArc arc, const Chord& chord, const A
     for (std::int64_t j = -kReach; j <= kReach; ++j) {
       arc.centre = {static_cast<std::int64_t>(foot_x) + i, static_cast<std::int64_t>(foot_y) + j};
       if (arc.centre == arc.from || arc.centre == arc.to) continue;
-      const long double c = cost(arc, chord, exact);
+      const long double c = cost(arc, chord, exact, limit);
       if (best && !(c < least)) continue;
       least = c;
       best = arc.centre;
@@ -197,10 +201,10 @@ std::optional<FittedArc> fit_by_radius(const GridPoint& from, const GridPoint& t
 }
 
 std::optional<FittedArc> fit_by_centre(const GridPoint& from, const GridPoint& to,
-                                       const ArcBalls& exact) {
+                                       const ArcBalls& exact, double most_mismatch) {
   if (from == to) return std::nullopt;
   WrittenArc arc{from, to, exact.ccw, exact.major, 0, {}};
-  const auto centre = best_centre(arc, chord_of(from, to, exact.ccw), exact);
+  const auto centre = best_centre(arc, chord_of(from, to, exact.ccw), exact, most_mismatch);
   if (!centre) return std::nullopt;
   arc.centre = *centre;
   arc.major = is_major(arc);

@@ -35,9 +35,10 @@ struct FittedArc {
                                                      const ArcBalls& exact);
 
 /// The grid point that serves best as centre: of those near the foot of the exact centre on the
-/// perpendicular bisector of the chord (where the two radii are equal) the one with the least sum
-/// of the difference of the radii and of the error in the middle of the arc. Nothing as above.
+/// perpendicular bisector of the chord (where the two radii are equal), and of these among those
+/// whose radii differ by less than `most_mismatch` if there are any, the one with the least sum of
+/// the difference of the radii and of the error in the middle of the arc. Nothing as above.
 [[nodiscard]] std::optional<FittedArc> fit_by_centre(const GridPoint& from, const GridPoint& to,
-                                                     const ArcBalls& exact);
+                                                     const ArcBalls& exact, double most_mismatch);
 
 }  // namespace dgt

@@ -116,8 +116,9 @@ class Divider {
   }
 
   std::optional<FittedArc> fit(const ArcPiece& piece) const {
-    return limits_.form == ArcForm::Radius ? fit_by_radius(piece.from, piece.to, piece.exact)
-                                           : fit_by_centre(piece.from, piece.to, piece.exact);
+    return limits_.form == ArcForm::Radius
+               ? fit_by_radius(piece.from, piece.to, piece.exact)
+               : fit_by_centre(piece.from, piece.to, piece.exact, limits_.mismatch);
   }
 
   bool acceptable(const FittedArc& fitted) const {
@@ -148,11 +149,12 @@ class Divider {
   Stop stop_near(long double angle, long double step) const {
     const long double radius = whole_.arc.radius.mid;
     const long double room = std::clamp((limits_.sweep - step) / 2, 0.0L, step / 16);
-    const int reach = static_cast<int>(std::min(8.0L, radius * room));
+    const long double spacing = std::max(1.0L, std::sqrt(radius) / 3);
+    const int reach = static_cast<int>(std::min(8.0L, radius * room / spacing));
     Stop best = stop_at(angle);
     long double least = off_circle(best.at);
     for (int k = -reach; k <= reach; ++k) {
-      Stop stop = stop_at(angle + static_cast<long double>(k) / radius);
+      Stop stop = stop_at(angle + static_cast<long double>(k) * spacing / radius);
       const long double off = off_circle(stop.at);
       if (!(off < least)) continue;
       least = off;

@@ -209,7 +209,6 @@ class Planner {
       write_piece(piece, last ? height_ : height_along(from_height, piece.piece.end / arc.sweep),
                   rises);
       if (!last) record_position(piece.piece.to, piece.piece.exact.to);
-      at_ = piece.piece.to;
     }
   }
 

@@ -265,6 +265,55 @@ TEST_P(EveryDialect, ArcsOnOffsetCarriers) {
 INSTANTIATE_TEST_SUITE_P(Write, EveryDialect, ::testing::Values("essi", "plasmatic", "linuxcnc"),
                          [](const auto& i) { return std::string(i.param); });
 
+TEST(Write, JointsOfDividedArcsLieBesideTheArc) {
+  // The nearest grid point of a point of the arc may be half a unit and more off it; one a few
+  // units along is next to it.
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Rational r = near(random.uniform(20, 200), 8);
+    const WriteResult result =
+        write(PathBuilder().arc({0, 0}, {0, r}, true).path(), *find_dialect("essi"));
+    const auto cuts = cuts_of(replay::essi(result.text, 0.1, {}));
+    ASSERT_GE(cuts.size(), 2u);
+    for (const Step& s : cuts)
+      ASSERT_LT(std::fabs(std::hypot(s.to.x, s.to.y - nearest_double(r)) - nearest_double(r)),
+                0.02);
+  }
+}
+
+/// Averages over arcs with radii of 2 to 20 mm.
+struct Quality {
+  double deviation = 0;  // certified, in units
+  double pieces = 0;
+};
+Quality quality(const char* dialect, double least_sweep, double most_sweep) {
+  Random random(8);
+  Quality sum;
+  constexpr int kCases = 4000;
+  for (int i = 0; i < kCases; ++i) {
+    PathBuilder p({near(random.uniform(0, 9)), near(random.uniform(0, 9))});
+    p.feed("1").turn(unit_at(random.uniform(-180, 180)), near(random.uniform(2, 20), 9),
+                     random.uniform(least_sweep, most_sweep), random.coin());
+    const WriteReport report = write(p.path(), *find_dialect(dialect)).report;
+    sum.deviation += report.deviation / nearest_double(find_dialect(dialect)->unit) / kCases;
+    sum.pieces += static_cast<double>(report.arcs) / kCases;
+  }
+  return sum;
+}
+
+TEST(Write, WholeRadiiAreChosenToFit) {
+  const Quality q = quality("essi", 112, 118);
+  EXPECT_LT(q.deviation, 0.42);  // the nearest whole radius: 0.446
+  EXPECT_LT(q.pieces, 1.01);
+}
+
+TEST(Write, CentresAreChosenToFit) {
+  const Quality q = quality("linuxcnc", 60, 110);
+  EXPECT_LT(q.deviation, 0.6);  // the nearest centre: 0.67
+  EXPECT_LT(q.pieces, 1.001);
+  EXPECT_LT(quality("plasmatic", 60, 110).pieces, 1.02);
+}
+
 TEST(Write, AHundredThousandMovesDoNotDrift) {
   PathBuilder p;
   const int count = 50000;
