@@ -125,13 +125,15 @@ class ContourReporter {
       case Fault::SideOfNegative:
         return plain(Message::SideOfNegative);
       case Fault::Eaten:
-        return one_measured(Message::Eaten);
+        return fault.measure > 0 ? one_measured(Message::Eaten) : one(Message::ArcEaten);
       case Fault::ZeroArc:
         return one(Message::ZeroArc);
       case Fault::RapidArc:
         return one(Message::RapidArc);
       case Fault::OffElement:
         return one_measured(Message::OffElement);
+      case Fault::Overrun:
+        return one(Message::Overrun);
       case Fault::Gouge:
         return {Message::Gouge, range, gouge_arguments(fault)};
       case Fault::ZeroValue:

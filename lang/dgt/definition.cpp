@@ -200,7 +200,7 @@ Made evaluate(const Definition& definition, Evaluation& evaluation) {
 
 void warn_of_clash(const ElementEntry& old, const Item& target, const ElementName& name,
                    Evaluation& evaluation) {
-  if (old.state == State::Undefined || !evaluation.belongs_to_caller(old.place)) return;
+  if (old.state == State::Undefined || !evaluation.is_caller(old.place.file)) return;
   evaluation.bag.add({Message::ElementClash,
                       target.range,
                       {to_text(name)},

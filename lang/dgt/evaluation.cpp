@@ -81,12 +81,10 @@ std::optional<Selector> Evaluation::selector(const Item& item) {
   return kSelectors[number->get_num().get_si() - 1];
 }
 
-bool Evaluation::belongs_to_caller(const Range& place) const {
-  if (place.file == nullptr || call_stack.size() < 2 || place.file == call_stack.back()) {
-    return false;
-  }
+bool Evaluation::is_caller(const SourceFile* owner) const {
+  if (owner == nullptr || call_stack.size() < 2 || owner == call_stack.back()) return false;
   const auto holds = [&](const std::vector<const SourceFile*>& files) {
-    return std::find(files.begin(), files.end(), place.file) != files.end();
+    return std::find(files.begin(), files.end(), owner) != files.end();
   };
   return holds(call_stack) || holds(definition_files);
 }

@@ -54,8 +54,8 @@ class Evaluation {
   /// I1…I6.
   [[nodiscard]] std::optional<Selector> selector(const Item& item);
 
-  /// Whether something last set at `place` belongs to a caller of the macro being executed.
-  [[nodiscard]] bool belongs_to_caller(const Range& place) const;
+  /// Whether what was last set for `owner` belongs to a caller of the macro being executed.
+  [[nodiscard]] bool is_caller(const SourceFile* owner) const;
 };
 
 /// Executes a definition: the element, or the fault with its message.

@@ -57,7 +57,7 @@ std::optional<Rational> Evaluator::evaluate(const NumberAssignment& assignment) 
 void Evaluator::set_number(int index, std::optional<Rational> value, const Range& place) {
   if (index == 0) return;  // a variable that does not exist, which has been reported
   Variables::NumberVariable& variable = shared_.variables.number(index);
-  if (shared_.belongs_to_caller(variable.place)) {
+  if (shared_.is_caller(variable.owner)) {
     if (variable.value == value) return;  // it stays the caller's
     const std::string name = "N" + std::to_string(index);
     bag_.add({Message::VariableClash,
@@ -65,7 +65,7 @@ void Evaluator::set_number(int index, std::optional<Rational> value, const Range
               {name},
               {{Message::SetHereBefore, variable.place, {name}}}});
   }
-  variable = {std::move(value), place};
+  variable = {std::move(value), place, shared_.call_stack.back()};
 }
 
 void Evaluator::execute(const TextAssignment& assignment, bool broken) {

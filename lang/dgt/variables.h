@@ -18,6 +18,7 @@ class Variables {
   struct NumberVariable {
     std::optional<Rational> value = Rational(0);  ///< nothing: its assignment failed
     Range place;                                  ///< its last assignment; no file: none yet
+    const SourceFile* owner = nullptr;  ///< the file it was assigned for: of an argument, the macro
   };
   struct TextVariable {
     TextWords words;  ///< null: never assigned, or its assignment failed
