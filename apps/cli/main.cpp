@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/help.h"
 #include "apps/cli/verbs.h"
 
 namespace dgt::cli {
 namespace {
 
 constexpr const char* kVersion = "dgt " DGT_VERSION;
+constexpr const char* kHelpHelp = "This help";
+constexpr const char* kVersionHelp = "The version of the program";
 constexpr const char* kFooter =
     "`dgt VERB --help` tells about a verb.\n\n"
     "Diagnostics go to standard error as\n"
@@ -48,7 +51,9 @@ std::vector<std::string> with_settings_apart(int argc, const char* const* argv) 
 }
 
 void declare(CLI::App& app, Job& job) {
-  app.set_version_flag("--version", kVersion);
+  app.formatter(manual_formatter());  // the verbs inherit it
+  app.set_help_flag("-h,--help", kHelpHelp);
+  app.set_version_flag("--version", kVersion, kVersionHelp);
   app.require_subcommand(1);
   app.footer(kFooter);
   add_compile(app, job);
@@ -88,9 +93,9 @@ ExitCode main(int argc, const char* const* argv) {
 
 CLI::App* add_verb(CLI::App& app, Job& job, const std::string& name, const std::string& summary,
                    const std::string& description) {
-  CLI::App* verb = app.add_subcommand(name, summary);
-  verb->set_version_flag("--version", kVersion);
-  verb->footer(description);
+  CLI::App* verb = app.add_subcommand(name, summary + "\n\n" + description);
+  verb->set_help_flag("-h,--help", kHelpHelp);
+  verb->set_version_flag("--version", kVersion, kVersionHelp);
   add_message_options(*verb, job.messages);
   return verb;
 }

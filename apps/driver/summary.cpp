@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -39,10 +40,10 @@ const Words& words(Language language) {
       "box: X {:.3f} … {:.3f}, Y {:.3f} … {:.3f} ({:.3f} × {:.3f}) mm\n",
       "box: nothing moves\n"};
   static constexpr Words kRussian = {
-      {"отрезков", "дуг", "холостых", "выдержек", "команд"},
+      {"отрезки", "дуги", "холостые ходы", "выдержки", "команды"},
       "перемещения: ",
-      "контуров: ",
-      "врезок: ",
+      "контуры: ",
+      "врезки: ",
       "резание: {:.3f} мм\n",
       "холостой ход: {:.3f} мм\n",
       "выдержки: {:.3f} с\n",
@@ -50,6 +51,9 @@ const Words& words(Language language) {
       "габарит: движения нет\n"};
   return language == Language::Russian ? kRussian : kEnglish;
 }
+
+/// Three decimals are shown; what is below them is not to print as "-0.000".
+double shown(double value) { return std::abs(value) < 0.0005 ? 0.0 : value; }
 
 }  // namespace
 
@@ -86,7 +90,8 @@ std::string to_text(const Summary& sum, Language language) {
   if (sum.dwell > 0) append(w.dwell, sum.dwell);
   const Box& box = sum.box;
   if (box.empty()) return out + w.nothing;
-  append(w.box, box.left, box.right, box.bottom, box.top, box.width(), box.height());
+  append(w.box, shown(box.left), shown(box.right), shown(box.bottom), shown(box.top), box.width(),
+         box.height());
   return out;
 }
 

@@ -220,6 +220,83 @@ TEST(DgtCommand, NamesMayBeCyrillicAndHaveBlanks) {
   EXPECT_THAT(read_text(target), Not(IsEmpty()));
 }
 
+// --- compile ------------------------------------------------------------------------------------
+
+TEST(DgtCompile, ListNamesTheDialects) {
+  const Outcome outcome = run_dgt({"compile", "--post", "list"});
+  EXPECT_EQ(outcome.exit_code, kDone);
+  EXPECT_EQ(outcome.out, "essi\nplasmatic\nlinuxcnc\n");
+}
+
+TEST(DgtCompile, TellsTheCertificateOnStandardError) {
+  const Outcome outcome = run_dgt({"compile", corpus("1P.bgt"), "--post", "essi"});
+  EXPECT_THAT(outcome.err, ::testing::ContainsRegex("dgt: note: essi: [0-9]+ blocks, at most "
+                                                    "0\\.[0-9]{4} mm off the exact path"));
+}
+
+TEST(DgtCompile, SettingsChangeTheDialectAndTheLaterWins) {
+  const auto compiled = [](const std::vector<std::string>& settings) {
+    std::vector<std::string> words = {"compile", corpus("1P.bgt"), "--post", "plasmatic"};
+    words.insert(words.end(), settings.begin(), settings.end());
+    const Outcome outcome = run_dgt(words);
+    EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_THAT(compiled({}), HasSubstr("G01 X-4.4 Y1.8\n"));
+  const std::string fine = compiled({"--set", "unit=0.001", "--set", "line_end=crlf"});
+  EXPECT_THAT(fine, HasSubstr("G01 X-4.450 Y1.800\r\n"));
+  EXPECT_EQ(compiled({"--set", "unit=0.001", "line_end=crlf"}), fine);
+  EXPECT_EQ(compiled({"--set=unit=1", "--set", "decimals=3", "--set", "line_end=crlf"}), fine);
+}
+
+TEST(DgtCompile, ASettingBeforeTheFileDoesNotSwallowIt) {
+  EXPECT_EQ(
+      run_dgt({"compile", "--post", "essi", "--set", "unit=0.01", corpus("1P.bgt")}).exit_code,
+      kDone);
+}
+
+TEST(DgtCompile, AWrongSettingIsWrongUsageAndNamesTheNearest) {
+  const auto fault = [](const std::string& setting) {
+    const Outcome outcome =
+        run_dgt({"compile", corpus("1P.bgt"), "--post", "essi", "--set", setting});
+    EXPECT_EQ(outcome.exit_code, kWrongUsage);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  };
+  EXPECT_EQ(fault("unit"), "dgt: error: 'unit' sets nothing; a setting is written key=value\n");
+  EXPECT_EQ(fault("unti=1"), "dgt: error: there is no setting 'unti'; the nearest is 'unit'\n");
+  EXPECT_THAT(fault("unit=wide"),
+              StartsWith("dgt: error: the setting 'unit' cannot be 'wide'; it takes "));
+}
+
+TEST(DgtCompile, WhatTheDialectCannotSayIs1AndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("high.bgt", "P1=X1 Y0\nK1 P1 Z5 X20 Y0\n");
+  const Outcome outcome =
+      run_dgt({"compile", program, "--post", "essi", "-o", folder.name("high.ess")});
+  EXPECT_EQ(outcome.exit_code, kInputErrors);
+  EXPECT_THAT(outcome.err, StartsWith(program + ":2:10: error: "));
+  EXPECT_THAT(folder.entries(), ElementsAre("high.bgt"));
+}
+
+TEST(DgtPlot, WithoutANameTheDrawingGoesToStandardOutput) {
+  EXPECT_THAT(run_dgt({"plot", corpus("1P.bgt")}).out, StartsWith("<?xml"));
+}
+
+TEST(DgtDump, PrintsTheStagesAskedFor) {
+  const auto dump = [](const std::string& flag) {
+    return run_dgt({"dump", corpus("1P.bgt"), flag}).out;
+  };
+  const std::string tokens = dump("--tokens");
+  const std::string ast = dump("--ast");
+  const std::string elements = dump("--elements");
+  EXPECT_THAT(elements, HasSubstr("C2"));
+  EXPECT_NE(tokens, ast);
+  EXPECT_EQ(run_dgt({"dump", corpus("1P.bgt"), "--elements", "--ast", "--tokens"}).out,
+            tokens + ast + elements);
+  EXPECT_THAT(run_dgt({"dump", corpus("1P.bgt")}).out, StartsWith("start X14"));
+}
+
 // --- messages -----------------------------------------------------------------------------------
 
 TEST(DgtCommand, TheLanguageComesFromTheOptionThenFromTheLocale) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/driver/points.h"
@@ -134,7 +135,7 @@ TEST(SummaryOfAPath, EveryRapidBeforeACutIsAPierce) {
 
 TEST(SummaryOfAPath, SpeaksEnglishAndRussian) {
   EXPECT_EQ(to_text(summarise(sample()), Language::English),
-            "moves: 1 lines, 2 arcs, 1 rapids, 1 dwells, 1 codes\n"
+            "moves: lines 1, arcs 2, rapids 1, dwells 1, codes 1\n"
             "contours: 1\n"
             "pierces: 1\n"
             "cut: 37.835 mm\n"

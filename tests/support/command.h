@@ -15,7 +15,7 @@ struct Outcome {
 };
 
 struct CommandOptions {
-  std::string input;                          ///< standard input
+  std::string input = {};                     ///< standard input
   std::vector<std::string> environment = {};  ///< `NAME=value`, besides PATH and LC_ALL=C.UTF-8
   std::filesystem::path folder = ".";         ///< where it runs
   std::string output_to = {};                 ///< standard output goes to this file instead

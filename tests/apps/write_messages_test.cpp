@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/driver/write_messages.h"
+
+#include <gmock/gmock.h>
+
+#include "lang/text/render.h"
+#include "tests/support/command.h"
+
+namespace dgt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// What a person is told when this program is written in a dialect, its codes and places.
+std::string told(const std::string& program, const std::string& dialect_name) {
+  const support::TemporaryFolder folder;
+  const auto made = compile_file(folder.write("part.bgt", program), {});
+  EXPECT_FALSE(made->bag.has_errors()) << render(made->bag);
+  const Dialect& dialect = *find_dialect(dialect_name);
+  const DiagnosticBag bag = explain(write(*made->result.path, dialect), dialect, *made);
+  std::string lines;
+  for (const Diagnostic& diagnostic : bag.all()) {
+    const Place place = diagnostic.range.place();
+    lines += std::to_string(place.line) + ":" + std::to_string(place.column) + " " +
+             text(diagnostic.message, diagnostic.arguments, Language::English) + "\n";
+  }
+  return lines;
+}
+
+/// Feed, power, a pause, a code, a height: each at a place of its own.
+constexpr const char* kEverything =
+    "P1=X10 Y0\n"
+    "P2=X20 Y0\n"
+    "F100\n"
+    "S5\n"
+    "K1 P1 T2 P2\n"
+    "M99\n"
+    "K2 P1 Z5 P2\n";
+
+TEST(WriterMessages, WhatTheDialectSaysNeedsNone) {
+  EXPECT_THAT(told(kEverything, "linuxcnc"), IsEmpty());
+}
+
+TEST(WriterMessages, NameTheDialectAtThePlaceInTheSource) {
+  EXPECT_EQ(told(kEverything, "essi"),
+            "5:7 the dialect essi has no dwell; T cannot be written\n"
+            "6:1 'M99' means nothing in the dialect essi\n"
+            "7:10 the dialect essi has no heights; Z cannot be written\n"
+            "4:1 the dialect essi does not write S; the control takes it from its settings\n"
+            "5:4 the dialect essi writes no feed; the control takes it from its settings\n");
+}
+
+TEST(WriterMessages, AFeedThatIsMissingIsTold) {
+  EXPECT_EQ(told("P1=X10 Y0\nP2=X20 Y0\nK1 P1 P2\n", "linuxcnc"),
+            "3:4 the dialect linuxcnc needs a feed and the program sets none; 1000 mm/min is "
+            "written\n");
+}
+
+TEST(WriterMessages, AMoveBehindTheEndAndOneThatIsTooLarge) {
+  EXPECT_EQ(told("P1=X10 Y0\nP2=X20 Y0\nK1 P1 P2\nM2\nG0 X1 Y1\n", "essi"),
+            "5:1 the tool moves after the program has been ended\n");
+  EXPECT_EQ(told("G0 X999999999999999 Y1\n", "essi"),
+            "1:1 the move is too large to be written in steps of 0.1 mm\n");
+}
+
+TEST(WriterMessages, PointIntoTheMacroThatAskedForIt) {
+  const support::TemporaryFolder folder;
+  folder.write("mac/lift.mac", "P1=X10 Y0\nK1 P1 Z5 X20 Y0\n");
+  const auto made = compile_file(folder.write("part.bgt", "\n\nMAC lift\n"), {});
+  ASSERT_FALSE(made->bag.has_errors()) << render(made->bag);
+  const Dialect& dialect = *find_dialect("essi");
+  const DiagnosticBag bag = explain(write(*made->result.path, dialect), dialect, *made);
+  ASSERT_EQ(bag.all().size(), 1U);
+  EXPECT_EQ(bag.all()[0].message, Message::HeightNotInDialect);
+  EXPECT_EQ(bag.all()[0].range.file->name(), folder.name("mac/lift.mac"));
+  EXPECT_EQ(bag.all()[0].range.place().line, 2U);
+  EXPECT_EQ(bag.all()[0].range.place().column, 10U);
+}
+
+}  // namespace
+}  // namespace dgt
