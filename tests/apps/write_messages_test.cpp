@@ -23,7 +23,8 @@ std::string told(const std::string& program, const std::string& dialect_name) {
   for (const Diagnostic& diagnostic : bag.all()) {
     const Place place = diagnostic.range.place();
     lines += std::to_string(place.line) + ":" + std::to_string(place.column) + " " +
-             text(diagnostic.message, diagnostic.arguments, Language::English) + "\n";
+             text(diagnostic.message, diagnostic.arguments, Language::English) + " [" +
+             std::string(diagnostic.code()) + "]\n";
   }
   return lines;
 }
@@ -43,25 +44,26 @@ TEST(WriterMessages, WhatTheDialectSaysNeedsNone) {
 }
 
 TEST(WriterMessages, NameTheDialectAtThePlaceInTheSource) {
-  EXPECT_EQ(told(kEverything, "essi"),
-            "5:7 the dialect essi has no dwell; T cannot be written\n"
-            "6:1 'M99' means nothing in the dialect essi\n"
-            "7:10 the dialect essi has no heights; Z cannot be written\n"
-            "4:1 the dialect essi does not write S; the control takes it from its settings\n"
-            "5:4 the dialect essi writes no feed; the control takes it from its settings\n");
+  EXPECT_EQ(
+      told(kEverything, "essi"),
+      "5:7 the dialect essi has no dwell; T cannot be written [DGT0803]\n"
+      "6:1 'M99' means nothing in the dialect essi [DGT0801]\n"
+      "7:10 the dialect essi has no heights; Z cannot be written [DGT0802]\n"
+      "4:1 the dialect essi does not write S; the control takes it from its settings [DGT0807]\n"
+      "5:4 the dialect essi writes no feed; the control takes it from its settings [DGT0806]\n");
 }
 
 TEST(WriterMessages, AFeedThatIsMissingIsTold) {
   EXPECT_EQ(told("P1=X10 Y0\nP2=X20 Y0\nK1 P1 P2\n", "linuxcnc"),
             "3:4 the dialect linuxcnc needs a feed and the program sets none; 1000 mm/min is "
-            "written\n");
+            "written [DGT0808]\n");
 }
 
 TEST(WriterMessages, AMoveBehindTheEndAndOneThatIsTooLarge) {
   EXPECT_EQ(told("P1=X10 Y0\nP2=X20 Y0\nK1 P1 P2\nM2\nG0 X1 Y1\n", "essi"),
-            "5:1 the tool moves after the program has been ended\n");
+            "5:1 the tool moves after the program has been ended [DGT0805]\n");
   EXPECT_EQ(told("G0 X999999999999999 Y1\n", "essi"),
-            "1:1 the move is too large to be written in steps of 0.1 mm\n");
+            "1:1 the move is too large to be written in steps of 0.1 mm [DGT0804]\n");
 }
 
 TEST(WriterMessages, PointIntoTheMacroThatAskedForIt) {
