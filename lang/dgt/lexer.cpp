@@ -17,6 +17,7 @@ constexpr std::string_view kLetters = "ABCDFGIKLMNOPRSTUVWXYZ";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_language_letter(char c) { return kLetters.find(c) != std::string_view::npos; }
+bool may_begin_keyword(char c) { return c == 'F' || c == 'N' || c == 'M' || c == 'O'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 struct LookAlike {
@@ -131,7 +132,7 @@ void Lexer::read_word() {
   const std::uint32_t begin = at_;
   const Character c = look(at_);
   if (c.latin >= 'A' && c.latin <= 'Z') {
-    if (!read_keyword()) read_letter(c);
+    if (!may_begin_keyword(c.latin) || !read_keyword()) read_letter(c);
     return;
   }
   if (is_digit(c.latin) || (c.latin == '.' && is_digit(byte(at_ + 1)))) {

@@ -31,6 +31,7 @@ class FileParser {
  public:
   FileParser(const SourceFile& file, DiagnosticBag& bag) : lexer_(file, bag), bag_(bag) {
     program_.file = &file;
+    program_.statements.reserve(file.line_count());
   }
 
   Program run() {
