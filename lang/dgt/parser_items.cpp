@@ -22,6 +22,7 @@ bool touches(const Word& a, const Word& b) {
 
 std::vector<Item> LineParser::parse_items(std::string_view letters) {
   std::vector<Item> items;
+  items.reserve(words_.size() - at_);
   while (!at_end()) {
     if (next_is(WordKind::Comma)) {
       ++at_;
