@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contour_notation.h"
+#include "tests/kernel/contour_notation.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "contour_notation.h"
+#include "tests/kernel/contour_notation.h"
 
 namespace dgt::notation {
 namespace {
