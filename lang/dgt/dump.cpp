@@ -12,35 +12,6 @@ namespace {
 // Digits of a decimal are never cut: a source number has finitely many.
 constexpr int kAllDigits = static_cast<int>(Lexer::kMaxDigits);
 
-std::string to_text(const Word& word) {
-  switch (word.kind) {
-    case WordKind::Letter:
-      return word.letter + to_text(number_of(word));
-    case WordKind::Number:
-      return to_text(number_of(word));
-    case WordKind::Selector:
-      return fmt::format("{}{}", word.digits % 2 == 1 ? 'X' : 'Y', word.digits < 5 ? '>' : '<');
-    case WordKind::Operator:
-      return std::string(1, word.letter);
-    case WordKind::For:
-      return "FOR";
-    case WordKind::Next:
-      return "NEXT";
-    case WordKind::Mac:
-      return "MAC";
-    case WordKind::Opr:
-      return "OPR";
-    case WordKind::Equals:
-    case WordKind::Comma:
-    case WordKind::QuoteOpen:
-    case WordKind::QuoteClose:
-    case WordKind::Name:
-    case WordKind::Directive:
-      break;
-  }
-  return std::string(word.range.text());
-}
-
 std::string joined(const std::vector<Word>& words) {
   std::string out;
   for (const Word& word : words) out += (out.empty() ? "" : " ") + to_text(word);
@@ -94,6 +65,35 @@ struct BodyPrinter {
 };
 
 }  // namespace
+
+std::string to_text(const Word& word) {
+  switch (word.kind) {
+    case WordKind::Letter:
+      return word.letter + to_text(number_of(word));
+    case WordKind::Number:
+      return to_text(number_of(word));
+    case WordKind::Selector:
+      return fmt::format("{}{}", word.digits % 2 == 1 ? 'X' : 'Y', word.digits < 5 ? '>' : '<');
+    case WordKind::Operator:
+      return std::string(1, word.letter);
+    case WordKind::For:
+      return "FOR";
+    case WordKind::Next:
+      return "NEXT";
+    case WordKind::Mac:
+      return "MAC";
+    case WordKind::Opr:
+      return "OPR";
+    case WordKind::Equals:
+    case WordKind::Comma:
+    case WordKind::QuoteOpen:
+    case WordKind::QuoteClose:
+    case WordKind::Name:
+    case WordKind::Directive:
+      break;
+  }
+  return std::string(word.range.text());
+}
 
 std::string to_text(const Number& number) {
   const std::string sign = number.minus ? "-" : "";

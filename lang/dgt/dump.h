@@ -16,6 +16,8 @@ namespace dgt::language {
 
 /// A number as the canonical layout writes it: `-0.5`, `N3`, `-N3`; empty when absent.
 [[nodiscard]] std::string to_text(const Number& number);
+/// A word as the canonical layout writes it: `L-2`, `X>`, `FOR`; names and directives as they are.
+[[nodiscard]] std::string to_text(const Word& word);
 /// An item in canonical spelling: `L-2`, `X5Y7`, `V`, `I3`.
 [[nodiscard]] std::string to_text(const Item& item);
 
