@@ -40,13 +40,26 @@ std::vector<Gouge> find_gouges(const std::vector<CutPiece>& path,
   const double allowed = std::max(kGougeResolution, size * 0x1p-44) + tolerance;
   const BoxTree tree(std::move(programmed_boxes));
 
+  std::map<std::size_t, std::vector<std::size_t>> programmed_of;  // item → stretches; on demand
+  const auto meant = [&](std::size_t item, const Piece& other) {
+    if (programmed_of.empty()) {
+      for (std::size_t j = 0; j < programmed.size(); ++j)
+        programmed_of[programmed[j].item].push_back(j);
+    }
+    const auto own = programmed_of.find(item);
+    return own != programmed_of.end() &&
+           std::any_of(own->second.begin(), own->second.end(), [&](std::size_t j) {
+             return cross_inside(programmed[j].piece, other, kGougeResolution);
+           });
+  };
+
   std::vector<Gouge> gouges;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;  // items → index
   for (std::size_t i = 0; i < path.size(); ++i) {
     tree.overlapping(path_boxes[i].grown(path[i].reach), [&](std::size_t j) {
       Approach where;
       const double depth = gouge_depth(path[i], programmed[j], where);
-      if (depth <= allowed) return;
+      if (depth <= allowed || meant(path[i].item, programmed[j].piece)) return;
       const auto pair = std::minmax(path[i].item, programmed[j].item);
       const auto [at, fresh] = known.try_emplace(pair, gouges.size());
       if (fresh) gouges.emplace_back();

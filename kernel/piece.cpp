@@ -72,7 +72,10 @@ bool within(const Piece& segment, double x, double y) {
   return along >= 0 && along <= dx * dx + dy * dy;
 }
 
-void offer_lines(const Piece& a, const Piece& b, Nearest& nearest) {
+/// Calls visit(x, y) for each place that both pieces run through; those on one support meet
+/// nowhere.
+template <class Visit>
+void cross_lines(const Piece& a, const Piece& b, Visit&& visit) {
   const double ax = a.x1 - a.x0;
   const double ay = a.y1 - a.y0;
   const double bx = b.x1 - b.x0;
@@ -82,14 +85,12 @@ void offer_lines(const Piece& a, const Piece& b, Nearest& nearest) {
   const double t = cross(b.x0 - a.x0, b.y0 - a.y0, bx, by) / det;
   const double s = cross(b.x0 - a.x0, b.y0 - a.y0, ax, ay) / det;
   if (t >= 0 && t <= 1 && s >= 0 && s <= 1) {
-    const double x = a.x0 + t * ax;
-    const double y = a.y0 + t * ay;
-    nearest.offer(x, y, x, y);
+    visit(a.x0 + t * ax, a.y0 + t * ay);
   }
 }
 
-/// `line_first`: whether the line is the first piece of the two.
-void offer_line_arc(const Piece& line, const Piece& arc, bool line_first, Nearest& nearest) {
+template <class Visit>
+void cross_line_arc(const Piece& line, const Piece& arc, Visit&& visit) {
   const double dx = line.x1 - line.x0;
   const double dy = line.y1 - line.y0;
   const double square = dx * dx + dy * dy;
@@ -99,33 +100,70 @@ void offer_line_arc(const Piece& line, const Piece& arc, bool line_first, Neares
   const double fy = line.y0 + t * dy;
   const double h = std::hypot(fx - arc.cx, fy - arc.cy);
   const double r = std::fabs(arc.radius);
-  const auto offer = [&](double lx, double ly, double ax, double ay) {
-    if (line_first)
-      nearest.offer(lx, ly, ax, ay);
-    else
-      nearest.offer(ax, ay, lx, ly);
-  };
-  if (h >= r) {
-    if (within(line, fx, fy) && in_sector(arc, fx - arc.cx, fy - arc.cy)) {
-      const double k = r / h;
-      offer(fx, fy, arc.cx + k * (fx - arc.cx), arc.cy + k * (fy - arc.cy));
-    }
-    return;
-  }
+  if (h >= r) return;
   const double s = std::sqrt((r - h) * (r + h) / square);
   for (const double sign : {-1.0, 1.0}) {
     const double x = fx + sign * s * dx;
     const double y = fy + sign * s * dy;
-    if (within(line, x, y) && in_sector(arc, x - arc.cx, y - arc.cy)) offer(x, y, x, y);
+    if (within(line, x, y) && in_sector(arc, x - arc.cx, y - arc.cy)) visit(x, y);
   }
 }
 
-void offer_arcs(const Piece& a, const Piece& b, Nearest& nearest) {
+template <class Visit>
+void cross_arcs(const Piece& a, const Piece& b, Visit&& visit) {
   const double vx = b.cx - a.cx;
   const double vy = b.cy - a.cy;
   const double square = vx * vx + vy * vy;
-  if (square == 0) return;  // concentric: ends decide
-  const double distance = std::sqrt(square);
+  if (square == 0) return;
+  const double k = (square + (a.radius - b.radius) * (a.radius + b.radius)) / (2 * square);
+  const double rest = a.radius * a.radius / square - k * k;
+  if (rest < 0) return;
+  const double s = std::sqrt(rest);
+  for (const double sign : {-1.0, 1.0}) {
+    const double x = a.cx + k * vx - sign * s * vy;
+    const double y = a.cy + k * vy + sign * s * vx;
+    if (in_sector(a, x - a.cx, y - a.cy) && in_sector(b, x - b.cx, y - b.cy)) visit(x, y);
+  }
+}
+
+template <class Visit>
+void for_each_crossing(const Piece& a, const Piece& b, Visit&& visit) {
+  if (a.arc && b.arc)
+    cross_arcs(a, b, visit);
+  else if (a.arc)
+    cross_line_arc(b, a, visit);
+  else if (b.arc)
+    cross_line_arc(a, b, visit);
+  else
+    cross_lines(a, b, visit);
+}
+
+/// Where the normal of the line goes through the centre. `line_first`: whether the line is the
+/// first piece of the two.
+void offer_normal(const Piece& line, const Piece& arc, bool line_first, Nearest& nearest) {
+  const double dx = line.x1 - line.x0;
+  const double dy = line.y1 - line.y0;
+  const double square = dx * dx + dy * dy;
+  if (square == 0) return;
+  const double t = ((arc.cx - line.x0) * dx + (arc.cy - line.y0) * dy) / square;
+  const double fx = line.x0 + t * dx;
+  const double fy = line.y0 + t * dy;
+  const double h = std::hypot(fx - arc.cx, fy - arc.cy);
+  if (h == 0 || !within(line, fx, fy) || !in_sector(arc, fx - arc.cx, fy - arc.cy)) return;
+  const double k = std::fabs(arc.radius) / h;
+  const double ax = arc.cx + k * (fx - arc.cx);
+  const double ay = arc.cy + k * (fy - arc.cy);
+  if (line_first)
+    nearest.offer(fx, fy, ax, ay);
+  else
+    nearest.offer(ax, ay, fx, fy);
+}
+
+void offer_line_of_centres(const Piece& a, const Piece& b, Nearest& nearest) {
+  const double vx = b.cx - a.cx;
+  const double vy = b.cy - a.cy;
+  const double distance = std::hypot(vx, vy);
+  if (distance == 0) return;  // concentric: ends decide
   const double ra = std::fabs(a.radius);
   const double rb = std::fabs(b.radius);
   for (const double sa : {-1.0, 1.0}) {
@@ -135,16 +173,6 @@ void offer_arcs(const Piece& a, const Piece& b, Nearest& nearest) {
       nearest.offer(a.cx + sa * ra / distance * vx, a.cy + sa * ra / distance * vy,
                     b.cx + sb * rb / distance * vx, b.cy + sb * rb / distance * vy);
     }
-  }
-  const double k = (square + (ra - rb) * (ra + rb)) / (2 * square);
-  const double rest = ra * ra / square - k * k;
-  if (rest < 0) return;
-  const double s = std::sqrt(rest);
-  for (const double sign : {-1.0, 1.0}) {
-    const double x = a.cx + k * vx - sign * s * vy;
-    const double y = a.cy + k * vy + sign * s * vx;
-    if (in_sector(a, x - a.cx, y - a.cy) && in_sector(b, x - b.cx, y - b.cy))
-      nearest.offer(x, y, x, y);
   }
 }
 
@@ -195,15 +223,23 @@ bool in_sector(const Piece& arc, double dx, double dy) {
 Approach nearest(const Piece& a, const Piece& b) {
   Nearest result;
   offer_ends(a, b, result);
-  if (!a.arc && !b.arc)
-    offer_lines(a, b, result);
-  else if (!a.arc)
-    offer_line_arc(a, b, true, result);
-  else if (!b.arc)
-    offer_line_arc(b, a, false, result);
-  else
-    offer_arcs(a, b, result);
+  for_each_crossing(a, b, [&](double x, double y) { result.offer(x, y, x, y); });
+  if (a.arc && b.arc)
+    offer_line_of_centres(a, b, result);
+  else if (a.arc)
+    offer_normal(b, a, false, result);
+  else if (b.arc)
+    offer_normal(a, b, true, result);
   return result.best;
+}
+
+bool cross_inside(const Piece& a, const Piece& b, double margin) {
+  bool found = false;
+  for_each_crossing(a, b, [&](double x, double y) {
+    const auto far = [&](double px, double py) { return std::hypot(x - px, y - py) > margin; };
+    found = found || (far(a.x0, a.y0) && far(a.x1, a.y1) && far(b.x0, b.y0) && far(b.x1, b.y1));
+  });
+  return found;
 }
 
 }  // namespace dgt

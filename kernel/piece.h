@@ -34,4 +34,7 @@ struct Approach {
 /// more.
 [[nodiscard]] Approach nearest(const Piece& a, const Piece& b);
 
+/// Whether the two cross away from their ends: at a place further than `margin` mm from each.
+[[nodiscard]] bool cross_inside(const Piece& a, const Piece& b, double margin);
+
 }  // namespace dgt

@@ -385,5 +385,15 @@ TEST_F(GougeTest, LeadBeyondTheMeetingIsNoPart) {
   EXPECT_EQ(built.side, Side::Right);
 }
 
+TEST_F(GougeTest, LoopAboutACornerIsMeant) {
+  // Overshoot, turn clockwise about the corner, come back across the first line: usual in wire
+  // work.
+  const auto built = build({w("0.2"), to("10", "-5"), along(bottom), fillet("-3"), along(right),
+                            along(top), along(left), along(bottom), to("10", "-5")},
+                           at("10", "-5"));
+  EXPECT_THAT(built.faults, IsEmpty()) << text(built.faults);
+  EXPECT_TRUE(built.closed);
+}
+
 }  // namespace
 }  // namespace dgt::notation
