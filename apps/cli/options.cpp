@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/cli/options.h"
 
+#include <cstdio>
 #include <map>
 
 namespace dgt::cli {
@@ -12,16 +13,40 @@ std::string fault_of_length(const std::string& text) {
   return value && sgn(*value) >= 0 ? "" : "'" + text + "' is no length in mm";
 }
 
+std::map<std::string, Encoding> encodings() {
+  std::map<std::string, Encoding> named;
+  for (const Encoding encoding : kEncodings) named.emplace(name_of(encoding), encoding);
+  return named;
+}
+
+std::string encoding_names() {
+  std::string names;
+  for (const Encoding encoding : kEncodings) {
+    names.append(names.empty() ? "" : "|").append(name_of(encoding));
+  }
+  return names;
+}
+
 }  // namespace
 
 Console MessageOptions::console() const {
-  return {language.value_or(language_of_locale()), colour_of(colour)};
+  return {language.value_or(language_of_locale()), colour_of(colour),
+          form == MessageForm::Sarif ? log : nullptr};
+}
+
+void MessageOptions::finish() const {
+  if (form != MessageForm::Sarif) return;
+  const std::string text = log->text(language.value_or(language_of_locale()));
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 SourceSettings SourceOptions::settings() const {
   SourceSettings settings;
+  settings.encoding = encoding;
   settings.evaluate.offset_side = offset_side;
   settings.evaluate.join_tolerance = parse_decimal(join_tolerance).value();
+  settings.evaluate.gouge = gouge;
+  settings.evaluate.encoding = encoding;
   settings.macro_path = macro_path;
   return settings;
 }
@@ -32,9 +57,17 @@ void add_message_options(CLI::App& verb, MessageOptions& options) {
   static const std::map<std::string, ColourChoice> kColours = {{"auto", ColourChoice::Auto},
                                                                {"always", ColourChoice::Always},
                                                                {"never", ColourChoice::Never}};
+  static const std::map<std::string, MessageForm> kForms = {{"text", MessageForm::Text},
+                                                            {"sarif", MessageForm::Sarif}};
   verb.add_option("--lang", options.language, "Language of the messages (default: the locale's)")
       ->option_text("en|ru")
       ->transform(CLI::CheckedTransformer(kLanguages).description(""))
+      ->group("Messages");
+  verb.add_option("--diagnostics", options.form,
+                  "How diagnostics are written to standard error; sarif: as one SARIF 2.1.0 log, "
+                  "for editors and build servers")
+      ->option_text("text|sarif")
+      ->transform(CLI::CheckedTransformer(kForms).description(""))
       ->group("Messages");
   // A bare --color asks for colour, as in other programs.
   verb.add_option("--color", options.colour,
@@ -44,16 +77,26 @@ void add_message_options(CLI::App& verb, MessageOptions& options) {
       ->group("Messages");
 }
 
-void add_source_options(CLI::App& verb, SourceOptions& options) {
+void add_reading_options(CLI::App& verb, SourceOptions& options) {
   static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt}};
-  static const std::map<std::string, OffsetSide> kSides = {
-      {"auto", OffsetSide::Auto}, {"left", OffsetSide::Left}, {"right", OffsetSide::Right}};
   verb.add_option("--from", options.from,
                   "Language of the input (default: by the extension; .bgt and .dgt are DGT; "
                   "standard input is DGT)")
       ->option_text("dgt")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
+  verb.add_option("--encoding", options.encoding,
+                  "Encoding of the program (default: what it looks like; a guess that is not "
+                  "certain is a warning)")
+      ->option_text(encoding_names())
+      ->transform(CLI::CheckedTransformer(encodings(), CLI::ignore_case).description(""))
+      ->group("Source");
+}
+
+void add_source_options(CLI::App& verb, SourceOptions& options) {
+  static const std::map<std::string, OffsetSide> kSides = {
+      {"auto", OffsetSide::Auto}, {"left", OffsetSide::Left}, {"right", OffsetSide::Right}};
+  add_reading_options(verb, options);
   verb.add_option("--mac-path", options.macro_path,
                   "A further folder to look in for MAC files, after the program's own folder and "
                   "its subfolder mac; may be given again")
@@ -71,6 +114,22 @@ void add_source_options(CLI::App& verb, SourceOptions& options) {
                   "(default: 0.001)")
       ->option_text("MM")
       ->check(CLI::Validator(fault_of_length, ""))
+      ->group("Source");
+  static const std::map<std::string, GougePolicy> kGouges = {{"error", GougePolicy::Error},
+                                                             {"warn", GougePolicy::Warn}};
+  verb.add_option("--gouge", options.gouge,
+                  "What it is when the tool cuts into its own contour (default: error)")
+      ->option_text("error|warn")
+      ->transform(CLI::CheckedTransformer(kGouges).description(""))
+      ->group("Source");
+  std::map<std::string, Encoding> encodings;
+  for (const Encoding e : {Encoding::Utf8, Encoding::Windows1251, Encoding::Cp866, Encoding::Koi8R})
+    encodings.emplace(name_of(e), e);
+  verb.add_option(
+          "--encoding", options.encoding,
+          "Encoding of the program, its macros and definition files (default: as each looks)")
+      ->option_text("utf-8|windows-1251|cp866|koi8-r")
+      ->transform(CLI::CheckedTransformer(encodings, CLI::ignore_case).description(""))
       ->group("Source");
 }
 

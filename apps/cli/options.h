@@ -16,20 +16,29 @@ namespace dgt::cli {
 struct MessageOptions {
   std::optional<Language> language;  ///< unset: from the locale
   ColourChoice colour = ColourChoice::Auto;
+  MessageForm form = MessageForm::Text;
+  std::shared_ptr<SarifLog> log = std::make_shared<SarifLog>();
 
   [[nodiscard]] Console console() const;
+  /// Prints the log when SARIF is asked for: once, when everything has been said.
+  void finish() const;
 };
 void add_message_options(CLI::App& verb, MessageOptions& options);
 
 /// How the source is read and what the program leaves open.
 struct SourceOptions {
   std::optional<InputLanguage> from;  ///< unset: by the extension
+  std::optional<Encoding> encoding;   ///< unset: what the program looks like
   std::vector<std::string> macro_path;
   OffsetSide offset_side = OffsetSide::Auto;
   std::string join_tolerance = "0.001";  ///< mm, a decimal
+  GougePolicy gouge = GougePolicy::Error;
+  std::optional<Encoding> encoding;  ///< unset: as the files look
 
   [[nodiscard]] SourceSettings settings() const;
 };
+/// Only the options that say how the text is read.
+void add_reading_options(CLI::App& verb, SourceOptions& options);
 void add_source_options(CLI::App& verb, SourceOptions& options);
 
 /// One program in, one result out.

@@ -31,14 +31,24 @@ std::optional<InputLanguage> language_of(const std::string& name) {
   return std::nullopt;
 }
 
-FileResult<Compilation> compile_file(const std::string& name, const SourceSettings& settings) {
-  const auto bytes = read_file(name);
-  if (!bytes) return tl::unexpected(bytes.error());
+std::shared_ptr<const SourceFile> decode_source(const std::string& name, std::string_view bytes,
+                                                std::optional<Encoding> encoding) {
+  return std::make_shared<const SourceFile>(name == kStream ? "<stdin>" : name, bytes, encoding);
+}
+
+Compilation compile_bytes(const std::string& name, std::string_view bytes,
+                          const SourceSettings& settings) {
   Compilation made;
-  made.file = std::make_shared<const SourceFile>(name == kStream ? "<stdin>" : name, *bytes);
+  made.file = decode_source(name, bytes, settings.encoding);
   FolderLoader loader(folder_of(name), {settings.macro_path.begin(), settings.macro_path.end()});
   made.result = compile(*made.file, loader, settings.evaluate, made.bag);
   return made;
+}
+
+FileResult<Compilation> compile_file(const std::string& name, const SourceSettings& settings) {
+  const auto bytes = read_file(name);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return compile_bytes(name, *bytes, settings);
 }
 
 }  // namespace dgt

@@ -32,6 +32,8 @@ struct EvaluateOptions {
   /// What a tool that cuts into the contour is.
   GougePolicy gouge = GougePolicy::Error;
   EvaluateBounds bounds;
+  /// Of macros and definition files; nothing: as each of them looks.
+  std::optional<Encoding> encoding;
 };
 
 /// What a program comes to.

@@ -10,7 +10,8 @@
 namespace dgt::language {
 
 std::shared_ptr<const Program> Evaluator::read(SourceText text) {
-  auto file = std::make_shared<const SourceFile>(std::move(text.name), text.bytes);
+  auto file = std::make_shared<const SourceFile>(std::move(text.name), text.bytes,
+                                                 shared_.options.encoding);
   auto program = std::make_shared<const Program>(parse(*file, bag_));
   files_.push_back(std::move(file));
   programs_.push_back(program);
