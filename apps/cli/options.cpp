@@ -85,9 +85,9 @@ void add_reading_options(CLI::App& verb, SourceOptions& options) {
       ->option_text("dgt")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
-  verb.add_option("--encoding", options.encoding,
-                  "Encoding of the program (default: what it looks like; a guess that is not "
-                  "certain is a warning)")
+  verb.add_option(
+          "--encoding", options.encoding,
+          "Encoding of the program, its macros and definition files (default: as each looks)")
       ->option_text(encoding_names())
       ->transform(CLI::CheckedTransformer(encodings(), CLI::ignore_case).description(""))
       ->group("Source");
@@ -121,15 +121,6 @@ void add_source_options(CLI::App& verb, SourceOptions& options) {
                   "What it is when the tool cuts into its own contour (default: error)")
       ->option_text("error|warn")
       ->transform(CLI::CheckedTransformer(kGouges).description(""))
-      ->group("Source");
-  std::map<std::string, Encoding> encodings;
-  for (const Encoding e : {Encoding::Utf8, Encoding::Windows1251, Encoding::Cp866, Encoding::Koi8R})
-    encodings.emplace(name_of(e), e);
-  verb.add_option(
-          "--encoding", options.encoding,
-          "Encoding of the program, its macros and definition files (default: as each looks)")
-      ->option_text("utf-8|windows-1251|cp866|koi8-r")
-      ->transform(CLI::CheckedTransformer(encodings, CLI::ignore_case).description(""))
       ->group("Source");
 }
 

@@ -28,12 +28,11 @@ void add_message_options(CLI::App& verb, MessageOptions& options);
 /// How the source is read and what the program leaves open.
 struct SourceOptions {
   std::optional<InputLanguage> from;  ///< unset: by the extension
-  std::optional<Encoding> encoding;   ///< unset: what the program looks like
+  std::optional<Encoding> encoding;   ///< of all files; unset: as each looks
   std::vector<std::string> macro_path;
   OffsetSide offset_side = OffsetSide::Auto;
   std::string join_tolerance = "0.001";  ///< mm, a decimal
   GougePolicy gouge = GougePolicy::Error;
-  std::optional<Encoding> encoding;  ///< unset: as the files look
 
   [[nodiscard]] SourceSettings settings() const;
 };
