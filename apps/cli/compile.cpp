@@ -34,7 +34,7 @@ ExitCode run(const CompileOptions& options, const Console& console) {
   const auto made = load(request.file, request.source, console);
   if (!made) return made.error();
   const WriteResult written = write(*made->result.path, *dialect);
-  console.show(explain(written, *dialect, *made));
+  console.show(explain(written, *dialect, *made), sources_of(*made));
   if (!written.faults.empty()) return ExitCode::InputErrors;
   const ExitCode code = write_result(request.output, written.text, console);
   if (code == ExitCode::Done) {

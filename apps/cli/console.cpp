@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "lang/text/sarif.h"
+
 namespace dgt::cli {
 namespace {
 
@@ -55,7 +57,24 @@ Colour colour_of(ColourChoice choice) {
   return ::isatty(STDERR_FILENO) == 1 ? Colour::Ansi : Colour::Plain;
 }
 
-void Console::show(const DiagnosticBag& bag) const { print(render(bag, render_)); }
+void SarifLog::add(DiagnosticBag bag, Sources sources) {
+  bags_.push_back(std::move(bag));
+  sources_.push_back(std::move(sources));
+}
+
+std::string SarifLog::text(Language language) const {
+  std::vector<const DiagnosticBag*> bags;
+  for (const DiagnosticBag& bag : bags_) bags.push_back(&bag);
+  return to_sarif(bags, {language, DGT_VERSION, failures_});
+}
+
+void Console::show(const DiagnosticBag& bag, const Sources& sources) const {
+  if (log_) {
+    log_->add(bag, sources);
+  } else {
+    print(render(bag, render_));
+  }
+}
 
 void Console::error(Text text, std::initializer_list<std::string_view> arguments) const {
   say(Severity::Error, text, arguments);
@@ -68,6 +87,10 @@ void Console::note(Text text, std::initializer_list<std::string_view> arguments)
 void Console::say(Severity severity, Text text,
                   std::initializer_list<std::string_view> arguments) const {
   const bool is_error = severity == Severity::Error;
+  if (log_) {
+    if (is_error) log_->add_failure(filled(text, render_.language, arguments));
+    return;
+  }
   const bool ansi = render_.colour == Colour::Ansi;
   print(fmt::format("dgt: {}{}:{} {}\n",
                     !ansi      ? ""

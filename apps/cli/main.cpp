@@ -58,6 +58,7 @@ void declare(CLI::App& app, Job& job) {
   app.footer(kFooter);
   add_compile(app, job);
   add_check(app, job);
+  add_format(app, job);
   add_path(app, job);
   add_dump(app, job);
   add_points(app, job);
@@ -66,12 +67,14 @@ void declare(CLI::App& app, Job& job) {
 }
 
 ExitCode run(const Job& job) {
+  ExitCode code = ExitCode::Failure;
   try {
-    return job.run();
+    code = job.run();
   } catch (const std::exception& error) {
     job.messages.console().error(Text::Internal, {error.what()});
-    return ExitCode::Failure;
   }
+  job.messages.finish();
+  return code;
 }
 
 ExitCode main(int argc, const char* const* argv) {

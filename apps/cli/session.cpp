@@ -4,27 +4,43 @@
 #include "kernel/check.h"
 
 namespace dgt::cli {
-namespace {
 
 ExitCode report(const FileError& error, const Console& console) {
   console.error(Text::FileFailed, {error.text()});
   return ExitCode::Failure;
 }
 
-}  // namespace
+Sources sources_of(const Compilation& made) {
+  Sources sources = made.result.files;
+  sources.push_back(made.file);
+  return sources;
+}
 
-Step<Compilation> load(const std::string& file, const SourceOptions& options,
-                       const Console& console) {
-  if (!options.from && !language_of(file)) {
-    console.error(Text::UnknownLanguage, {file});
-    return tl::unexpected(ExitCode::WrongUsage);
+Step<void> expect_source(const std::string& file, const SourceOptions& options,
+                         const Console& console) {
+  if (options.from || language_of(file)) return {};
+  console.error(Text::UnknownLanguage, {file});
+  return tl::unexpected(ExitCode::WrongUsage);
+}
+
+Step<Compilation> examine(const std::string& file, const SourceOptions& options,
+                          const Console& console) {
+  if (const auto known = expect_source(file, options, console); !known) {
+    return tl::unexpected(known.error());
   }
   auto made = compile_file(file, options.settings());
   if (!made) return tl::unexpected(report(made.error(), console));
-  console.show(made->bag);
+  console.show(made->bag, sources_of(*made));
+  return std::move(*made);
+}
+
+Step<Compilation> load(const std::string& file, const SourceOptions& options,
+                       const Console& console) {
+  auto made = examine(file, options, console);
+  if (!made) return made;
   if (made->bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
   DGT_CHECK(made->result.path.has_value());
-  return std::move(*made);
+  return made;
 }
 
 Step<Toolpath> load_path(const std::string& file, const SourceOptions& options,

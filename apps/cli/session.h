@@ -14,6 +14,20 @@ namespace dgt::cli {
 template <typename T>
 using Step = tl::expected<T, ExitCode>;
 
+/// The files that a program's diagnostics point into.
+[[nodiscard]] Sources sources_of(const Compilation& made);
+
+/// Reads and executes a program and shows its diagnostics, errors among them.
+[[nodiscard]] Step<Compilation> examine(const std::string& file, const SourceOptions& options,
+                                        const Console& console);
+
+/// Wrong usage when `file` is in no known language.
+[[nodiscard]] Step<void> expect_source(const std::string& file, const SourceOptions& options,
+                                       const Console& console);
+
+/// Tells of a file that failed.
+[[nodiscard]] ExitCode report(const FileError& error, const Console& console);
+
 /// Reads and executes a program and shows its diagnostics; it has a tool path then.
 [[nodiscard]] Step<Compilation> load(const std::string& file, const SourceOptions& options,
                                      const Console& console);

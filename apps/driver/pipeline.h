@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/driver/file_io.h"
@@ -20,6 +21,7 @@ enum class InputLanguage : std::uint8_t { Dgt };
 
 struct SourceSettings {
   EvaluateOptions evaluate;
+  std::optional<Encoding> encoding;     ///< of the program; `evaluate` has that of macros
   std::vector<std::string> macro_path;  ///< folders, after the program's own and its `mac`
 };
 
@@ -29,6 +31,15 @@ struct Compilation {
   CompileResult result;
   DiagnosticBag bag;  ///< points into `file` and `result.files`
 };
+
+/// Decodes a source; `-` is called `<stdin>` in messages.
+[[nodiscard]] std::shared_ptr<const SourceFile> decode_source(const std::string& name,
+                                                              std::string_view bytes,
+                                                              std::optional<Encoding> encoding);
+
+/// Compiles a program of which the bytes are known already; macros are looked for where `name` is.
+[[nodiscard]] Compilation compile_bytes(const std::string& name, std::string_view bytes,
+                                        const SourceSettings& settings);
 
 /// Compiles a DGT program; `-` is standard input, a program that was never saved.
 [[nodiscard]] FileResult<Compilation> compile_file(const std::string& name,

@@ -47,7 +47,7 @@ class ContourReporter {
               origin.range,
               {origin.text(), turned},
               {},
-              FixIt{origin.range, turned}});
+              FixIt{origin.range, turned, Certainty::Guess}});
   }
 
  private:

@@ -38,10 +38,17 @@ struct MessageInfo {
 /// The whole table, in the order of the enumerators.
 [[nodiscard]] std::span<const MessageInfo> all_messages();
 
+/// Whether a program may put a fix-it in place unasked.
+enum class Certainty : std::uint8_t {
+  Sure,
+  Guess  ///< it changes what a working program cuts; a person decides
+};
+
 /// A text to put in place of a range that would cure the fault.
 struct FixIt {
   Range range;
   std::string replacement;
+  Certainty certainty = Certainty::Sure;
 };
 
 /// A further place that belongs to a diagnostic.

@@ -119,6 +119,7 @@ class Run {
                 {"columnKind", "unicodeCodePoints"},
                 {"artifacts", std::move(files)},
                 {"results", results_}};
+    if (!options_.failures.empty()) run["invocations"] = Json::array({invocation()});
     return {{"$schema", kSchema}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}};
   }
 
@@ -151,6 +152,15 @@ class Run {
         {"help", text_object(row.russian)},
         {"messageStrings", {{"en", text_object(row.english)}, {"ru", text_object(row.russian)}}},
         {"defaultConfiguration", {{"level", level(row.severity)}}}};
+  }
+
+  [[nodiscard]] Json invocation() const {
+    Json notifications = Json::array();
+    for (const std::string& failure : options_.failures) {
+      notifications.push_back({{"level", "error"}, {"message", text_object(visible(failure))}});
+    }
+    return {{"executionSuccessful", false},
+            {"toolExecutionNotifications", std::move(notifications)}};
   }
 
   [[nodiscard]] std::string sentence(Message which,

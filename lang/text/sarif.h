@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lang/text/diagnostic.h"
 
@@ -12,6 +13,9 @@ namespace dgt {
 struct SarifOptions {
   Language language = Language::English;  ///< of the results' messages; rules carry both
   std::string version = {};               ///< of the program, `0.1.0`; left out when empty
+  /// What kept the program from its work and belongs to no source: a file that cannot be read. The
+  /// log has an invocation that was not successful then, with these as its notifications.
+  std::vector<std::string> failures = {};
 };
 
 /// The diagnostics of one run, of all its bags in their order, as a SARIF 2.1.0 log (OASIS
