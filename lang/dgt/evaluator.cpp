@@ -115,6 +115,11 @@ void Evaluator::execute(const ContourStart& start, bool broken) {
 // A line without a comma ends the contour and holds words that act at once; a line with one goes on
 // with the contour.
 void Evaluator::execute(const ItemLine& line, const Statement& statement) {
+  if (statement.broken && contours_.is_open()) {  // most likely meant for it
+    contours_.mark_broken();
+    contours_.take(line.items);
+    return;
+  }
   const bool words = ContourWriter::are_words(line.items);
   if (words && (!line.has_comma || !contours_.is_open())) {
     contours_.end();
@@ -132,7 +137,6 @@ void Evaluator::execute(const ItemLine& line, const Statement& statement) {
     bag_.add({Message::LineWithoutComma, statement.range, {}, {}, FixIt{behind(last), ","}});
     contours_.mark_broken();
   }
-  if (statement.broken) contours_.mark_broken();
   contours_.take(line.items);
 }
 

@@ -260,6 +260,7 @@ void Lexer::read_sign_and_number(Word& word) {
   if (form == NumberForm::Variable && (word.scale > 0 || word.digits < 1 || word.digits > 30)) {
     fail(Message::NoSuchVariable, from(number_at), {std::string(from(number_at).text())});
     word.digits = 1;
+    word.scale = 0;
   }
 }
 

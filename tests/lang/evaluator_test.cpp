@@ -216,5 +216,10 @@ TEST(Evaluator, NoPathComesFromAProgramWithAnError) {
   EXPECT_FALSE(CompiledProgram("G0 X5 Y5\nL1=L7 D5").result().path.has_value());
 }
 
+TEST(Evaluator, ABrokenLineKeepsItsContourOpen) {
+  EXPECT_EQ(CompiledProgram("L1=Y0\nL2=X5\nK1 L1 L2\nL\nL1 L2,").messages(),
+            "t.bgt:4:1: error: 'L' needs a number [DGT0202]\nL\n^\n");
+}
+
 }  // namespace
 }  // namespace dgt

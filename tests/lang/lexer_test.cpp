@@ -149,6 +149,15 @@ TEST(Lexer, ReportsVariablesThatDoNotExist) {
             "X N31 Y-N0\n        ^~\n");
 }
 
+TEST(Lexer, AVariableWithAFractionIsNoVariable) {
+  const Lexed lexed("RN2.5C-1");
+  EXPECT_EQ(render(lexed.bag),
+            "t.bgt:1:2: error: there is no variable 'N2.5'; they are N1 to N30 [DGT0106]\n"
+            "RN2.5C-1\n ^~~~\n");
+  EXPECT_EQ(lexed.line.words.size(), 2U);
+  EXPECT_EQ(lexed.line.words[0].scale, 0U);
+}
+
 TEST(Lexer, ReportsANumberOfAbsurdLength) {
   const std::string number(201, '1');
   EXPECT_EQ(render(Lexed("X" + number).bag),
