@@ -20,8 +20,8 @@ namespace dgt {
 
 /// An edge of a result: on a line through its ends or on a circle.
 struct OffsetPiece {
-  ExactPoint from;
-  ExactPoint to;
+  Point from;
+  Point to;
   bool is_line = true;
   RationalPoint centre;
   Rational radius;  ///< signed, positive counter-clockwise

@@ -79,14 +79,10 @@ int number_of_region(const std::vector<Chain>& loops) {
 }
 
 Box box_of(const OffsetLoop& loop) {
-  const double x = nearest_double(loop.pieces.front().from.x);
-  const double y = nearest_double(loop.pieces.front().from.y);
-  Box box{x, y, x, y};
-  for (const OffsetPiece& piece : loop.pieces) {
-    const double px = nearest_double(piece.to.x);
-    const double py = nearest_double(piece.to.y);
-    box = box.united({px, py, px, py});
-  }
+  const Point& first = loop.pieces.front().from;
+  Box box{first.x(), first.y(), first.x(), first.y()};
+  for (const OffsetPiece& piece : loop.pieces)
+    box = box.united({piece.to.x(), piece.to.y(), piece.to.x(), piece.to.y()});
   return box;
 }
 
@@ -102,8 +98,7 @@ bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
   if (!a.is_line) return a.centre == b.centre && a.radius == b.radius;
   // Lines of one edge are cut at one-root points only: their directions agree to rounding.
   const auto direction = [](const OffsetPiece& p) {
-    return std::pair(nearest_double(p.to.x) - nearest_double(p.from.x),
-                     nearest_double(p.to.y) - nearest_double(p.from.y));
+    return std::pair(p.to.x() - p.from.x(), p.to.y() - p.from.y());
   };
   const auto [ax, ay] = direction(a);
   const auto [bx, by] = direction(b);
@@ -125,7 +120,7 @@ void merge_pieces(OffsetLoop& loop) {
   for (OffsetPiece& piece : pieces) {
     const bool goes_on =
         !merged.empty() && same_support(merged.back(), piece) && merged.size() + pieces.size() > 3;
-    if (goes_on && !(piece.is_line == false && same_place(merged.back().from, piece.to)))
+    if (goes_on && !(piece.is_line == false && merged.back().from == piece.to))
       merged.back().to = piece.to;
     else
       merged.push_back(std::move(piece));
@@ -135,8 +130,12 @@ void merge_pieces(OffsetLoop& loop) {
 
 /// A rational point on the piece, near its middle.
 RationalPoint point_inside(const OffsetPiece& piece) {
-  const RationalPoint from{rational_within(piece.from.x, -80), rational_within(piece.from.y, -80)};
-  const RationalPoint to{rational_within(piece.to.x, -80), rational_within(piece.to.y, -80)};
+  const auto near = [](const Point& p) {
+    const ExactPoint exact = p.exact();
+    return RationalPoint{rational_within(exact.x, -80), rational_within(exact.y, -80)};
+  };
+  const RationalPoint from = near(piece.from);
+  const RationalPoint to = near(piece.to);
   const RationalPoint middle = Rational(1, 2) * (from + to);
   if (piece.is_line) return middle;
   // x-monotone arcs cover at most half a turn: the middle of the chord points to the arc's own,
@@ -216,12 +215,12 @@ std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
 double area(const OffsetLoop& loop) {
   // Shoelace about the first vertex, so that nothing cancels, plus the segments between arcs and
   // chords: r²(θ − sin θ)/2.
-  const double x0 = nearest_double(loop.pieces.front().from.x);
-  const double y0 = nearest_double(loop.pieces.front().from.y);
+  const double x0 = loop.pieces.front().from.x();
+  const double y0 = loop.pieces.front().from.y();
   double sum = 0;
   for (const OffsetPiece& p : loop.pieces) {
-    const Point from(p.from);
-    const Point to(p.to);
+    const Point& from = p.from;
+    const Point& to = p.to;
     sum += (from.x() - x0) * (to.y() - y0) - (from.y() - y0) * (to.x() - x0);
     if (p.is_line) continue;
     const double r = nearest_double(p.radius);
@@ -235,16 +234,15 @@ double area(const OffsetLoop& loop) {
 double area(const Chain& closed) {
   OffsetLoop loop;
   for (const ChainEdge& e : closed.edges)
-    loop.pieces.push_back(
-        {ExactPoint(e.from), ExactPoint(e.to), e.is_line(), e.centre(), e.radius});
+    loop.pieces.push_back({Point(e.from), Point(e.to), e.is_line(), e.centre(), e.radius});
   return area(loop);
 }
 
 double length(const OffsetLoop& loop) {
   double sum = 0;
   for (const OffsetPiece& p : loop.pieces) {
-    const Point from(p.from);
-    const Point to(p.to);
+    const Point& from = p.from;
+    const Point& to = p.to;
     if (p.is_line) {
       sum += std::hypot(to.x() - from.x(), to.y() - from.y());
     } else {

@@ -91,8 +91,8 @@ ExactPoint to_point(const Traits::Point_2& p) {
 
 OffsetPiece to_piece(Halfedge e) {
   OffsetPiece piece;
-  piece.from = to_point(e->source()->point());
-  piece.to = to_point(e->target()->point());
+  piece.from = Point(to_point(e->source()->point()));
+  piece.to = Point(to_point(e->target()->point()));
   const auto& curve = e->curve();
   piece.is_line = curve.is_linear();
   if (piece.is_line) return piece;
