@@ -1,97 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "kernel/box_tree.h"
 #include "kernel/cgal/arrangement.h"
-#include "kernel/check.h"
-#include "kernel/contour_legs.h"
 #include "kernel/offset.h"
+#include "kernel/offset_raw.h"
 
 namespace dgt {
 namespace {
-
-using cgal::RawPiece;
-
-RationalPoint moved(const RationalPoint& p, const UnitVector& normal, const Rational& distance) {
-  return p + distance * normal.vector();
-}
-
-/// The arc about `corner` from the normal `from` to the normal `to`, turned the short way.
-void add_corner(std::vector<RawPiece>& raw, const RationalPoint& corner, const UnitVector& from,
-                const UnitVector& to, const Rational& distance) {
-  if (from == to) return;
-  const Rational turn = cross(from.vector(), to.vector());
-  RawPiece piece;
-  piece.from = moved(corner, from, distance);
-  piece.to = moved(corner, to, distance);
-  piece.is_line = false;
-  piece.centre = corner;
-  piece.squared_radius = distance * distance;
-  // An edge that doubles back on itself turns half round; to the left, where its own material is
-  // not.
-  piece.counter_clockwise = sgn(turn) >= 0;
-  raw.push_back(std::move(piece));
-}
-
-void add_edge(std::vector<RawPiece>& raw, const ChainEdge& edge, const Rational& distance) {
-  RawPiece piece;
-  piece.from = moved(edge.from, edge.start, distance);
-  piece.to = moved(edge.to, edge.end, distance);
-  if (piece.from == piece.to) return;  // an arc shrunk to its centre
-  piece.is_line = edge.is_line();
-  if (!piece.is_line) {
-    const Rational radius = edge.radius - distance;
-    piece.centre = edge.centre();
-    piece.squared_radius = radius * radius;
-    // The normal turns the same way whatever the offset does to the radius.
-    piece.counter_clockwise = sgn(edge.radius) > 0;
-  }
-  raw.push_back(std::move(piece));
-}
-
-std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops, const Rational& distance) {
-  std::vector<RawPiece> raw;
-  for (const Chain& loop : loops) {
-    DGT_CHECK(loop.closed && !loop.edges.empty());
-    for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-      const ChainEdge& edge = loop.edges[i];
-      const ChainEdge& next = loop.edges[(i + 1) % loop.edges.size()];
-      DGT_CHECK(edge.to == next.from);
-      add_edge(raw, edge, distance);
-      add_corner(raw, edge.to, edge.end, next.start, distance);
-    }
-  }
-  return raw;
-}
-
-/// The winding number of the region left of the loops: 1 inside an outermost counter-clockwise
-/// loop, 0 where the region reaches to infinity. The loop of the largest area is an outermost one;
-/// doubles tell its sense, since its area is far from 0 wherever there is a region at all.
-int number_of_region(const std::vector<Chain>& loops) {
-  double largest = 0;
-  for (const Chain& loop : loops) {
-    const double a = area(loop);
-    if (std::fabs(a) > std::fabs(largest)) largest = a;
-  }
-  return largest < 0 ? 0 : 1;
-}
-
-Box box_of(const OffsetLoop& loop) {
-  const Point& first = loop.pieces.front().from;
-  Box box{first.x(), first.y(), first.x(), first.y()};
-  for (const OffsetPiece& piece : loop.pieces)
-    box = box.united({piece.to.x(), piece.to.y(), piece.to.x(), piece.to.y()});
-  return box;
-}
-
-bool is_sliver(const OffsetLoop& loop) {
-  const Box box = box_of(loop);
-  // A loop of two arcs spans its box between two vertices only; its area tells a disc from a
-  // sliver.
-  return box.max_x - box.min_x <= kOffsetResolution && box.max_y - box.min_y <= kOffsetResolution;
-}
 
 bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
   if (a.is_line != b.is_line) return false;
@@ -128,129 +44,21 @@ void merge_pieces(OffsetLoop& loop) {
   pieces = std::move(merged);
 }
 
-/// A rational point on the piece, near its middle.
-RationalPoint point_inside(const OffsetPiece& piece) {
-  const auto near = [](const Point& p) {
-    const ExactPoint exact = p.exact();
-    return RationalPoint{rational_within(exact.x, -80), rational_within(exact.y, -80)};
-  };
-  const RationalPoint from = near(piece.from);
-  const RationalPoint to = near(piece.to);
-  const RationalPoint middle = Rational(1, 2) * (from + to);
-  if (piece.is_line) return middle;
-  // x-monotone arcs cover at most half a turn: the middle of the chord points to the arc's own,
-  // unless the chord is a diameter.
-  Vector out = middle - piece.centre;
-  if (squared_length(out) * 1000000 < piece.radius * piece.radius) {
-    out = turned_right(to - from);
-    if (sgn(piece.radius) < 0) out = -out;
-  }
-  return piece.centre + abs(piece.radius) * direction_of(out).unit.vector();
-}
-
 }  // namespace
-
-bool keeps_distance(const std::vector<Chain>& loops, const RationalPoint& p,
-                    const Rational& distance) {
-  // Stand-ins are off by 2⁻⁹⁶ of their size: a contact may look like a touch of that depth.
-  const Rational reach = distance - power_of_two(kContactExponent);
-  const Rational square = reach * reach;
-  const auto edge_away = [&](const ChainEdge& e) {
-    if (squared_length(p - e.from) < square || squared_length(p - e.to) < square) return false;
-    if (e.is_line()) {
-      const Vector w = e.to - e.from;
-      const Rational along = dot(p - e.from, w);
-      const Rational length = squared_length(w);
-      if (sgn(along) <= 0 || along >= length) return true;
-      const Rational off = cross(w, p - e.from);
-      return off * off >= square * length;
-    }
-    const RationalPoint c = e.centre();
-    const Vector v = p - c;
-    Vector u = e.from - c;
-    Vector t = e.to - c;
-    if (sgn(e.radius) < 0) std::swap(u, t);
-    const bool after = sgn(cross(u, v)) >= 0;
-    const bool before = sgn(cross(v, t)) >= 0;
-    const bool short_arc = sgn(cross(u, t)) >= 0;
-    if (!(short_arc ? after && before : after || before)) return true;
-    const Rational r = abs(e.radius);
-    const Rational from_centre = squared_length(v);
-    const Rational inner = r - reach;
-    return from_centre >= (r + reach) * (r + reach) ||
-           (sgn(inner) > 0 && from_centre <= inner * inner);
-  };
-  for (const Chain& loop : loops) {
-    if (!std::all_of(loop.edges.begin(), loop.edges.end(), edge_away)) return false;
-  }
-  return true;
-}
 
 std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
                                          const Rational& distance) {
   if (loops.empty()) return {};
-  if (sgn(distance) < 0) {
-    // Growing the region is shrinking what lies beyond it.
-    std::vector<Chain> beyond;
-    for (const Chain& loop : loops) beyond.push_back(reversed(loop));
-    std::vector<OffsetLoop> result = reference_offset(beyond, -distance);
-    for (OffsetLoop& loop : result) {
-      std::reverse(loop.pieces.begin(), loop.pieces.end());
-      for (OffsetPiece& piece : loop.pieces) {
-        std::swap(piece.from, piece.to);
-        piece.radius = -piece.radius;
-      }
-    }
+  if (sgn(distance) < 0) {  // growing the region is shrinking what lies beyond it
+    std::vector<OffsetLoop> result = reference_offset(reversed(loops), -distance);
+    reverse_loops(result);
     return result;
   }
   std::vector<OffsetLoop> result =
       cgal::faces_with_winding_number(raw_curve(loops, distance), number_of_region(loops));
-  std::erase_if(result, [&](const OffsetLoop& loop) {
-    return is_sliver(loop) || !keeps_distance(loops, point_inside(loop.pieces.front()), distance);
-  });
+  drop_void_loops(result, loops, distance);
   for (OffsetLoop& loop : result) merge_pieces(loop);
   return result;
-}
-
-double area(const OffsetLoop& loop) {
-  // Shoelace about the first vertex, so that nothing cancels, plus the segments between arcs and
-  // chords: r²(θ − sin θ)/2.
-  const double x0 = loop.pieces.front().from.x();
-  const double y0 = loop.pieces.front().from.y();
-  double sum = 0;
-  for (const OffsetPiece& p : loop.pieces) {
-    const Point& from = p.from;
-    const Point& to = p.to;
-    sum += (from.x() - x0) * (to.y() - y0) - (from.y() - y0) * (to.x() - x0);
-    if (p.is_line) continue;
-    const double r = nearest_double(p.radius);
-    const double theta =
-        coarse_sweep(Circle(p.centre, p.radius), from, to) * std::numbers::pi / 180;
-    sum += r * r * (theta - std::sin(theta));
-  }
-  return sum / 2;
-}
-
-double area(const Chain& closed) {
-  OffsetLoop loop;
-  for (const ChainEdge& e : closed.edges)
-    loop.pieces.push_back({Point(e.from), Point(e.to), e.is_line(), e.centre(), e.radius});
-  return area(loop);
-}
-
-double length(const OffsetLoop& loop) {
-  double sum = 0;
-  for (const OffsetPiece& p : loop.pieces) {
-    const Point& from = p.from;
-    const Point& to = p.to;
-    if (p.is_line) {
-      sum += std::hypot(to.x() - from.x(), to.y() - from.y());
-    } else {
-      sum += std::fabs(coarse_sweep(Circle(p.centre, p.radius), from, to) * std::numbers::pi / 180 *
-                       nearest_double(p.radius));
-    }
-  }
-  return sum;
 }
 
 }  // namespace dgt

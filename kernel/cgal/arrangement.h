@@ -3,19 +3,9 @@
 
 #include <vector>
 
-#include "kernel/offset.h"
+#include "kernel/offset_raw.h"
 
 namespace dgt::cgal {
-
-/// A piece of a raw curve: a segment or an arc of at most half a turn, with rational ends.
-struct RawPiece {
-  RationalPoint from;
-  RationalPoint to;
-  bool is_line = true;
-  RationalPoint centre;
-  Rational squared_radius;
-  bool counter_clockwise = true;
-};
 
 /// The boundaries, region to the left, of the faces with winding number `wanted` in the arrangement
 /// of closed curves made of `pieces`. Boundaries that touch themselves at a point are parted there.

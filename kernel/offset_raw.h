@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "kernel/offset.h"
+
+/// What both offset engines share: the raw curve, the number wanted, what is taken off the result.
+/// Internal to the kernel.
+namespace dgt {
+
+/// A piece of a raw curve: a segment or an arc of at most half a turn, with rational ends.
+struct RawPiece {
+  RationalPoint from;
+  RationalPoint to;
+  bool is_line = true;
+  RationalPoint centre;
+  Rational squared_radius;
+  bool counter_clockwise = true;
+};
+
+/// The raw curves of all loops, one after the other.
+[[nodiscard]] std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops,
+                                              const Rational& distance);
+
+/// The winding number of the region left of the loops: 1 inside an outermost counter-clockwise
+/// loop, 0 where the region reaches to infinity.
+[[nodiscard]] int number_of_region(const std::vector<Chain>& loops);
+
+/// Takes off slivers and, where a part of the region may fit into the disc, void loops.
+void drop_void_loops(std::vector<OffsetLoop>& result, const std::vector<Chain>& loops,
+                     const Rational& distance);
+
+[[nodiscard]] std::vector<Chain> reversed(const std::vector<Chain>& loops);
+/// The same loops run the other way.
+void reverse_loops(std::vector<OffsetLoop>& loops);
+
+}  // namespace dgt
