@@ -24,7 +24,7 @@ Rational half_bulge(const Rational& bulge, int bits) {
 
 void add_edge(Chain& chain, const RationalPoint& from, const RationalPoint& to,
               const Rational& bulge) {
-  if (sgn(bulge) == 0) {
+  if (sgn(bulge) == 0 || abs(bulge) < power_of_two(kStraightBulgeExponent)) {
     chain.edges.push_back(segment(from, to));
   } else if (abs(bulge) <= 1) {
     chain.edges.push_back(arc(from, to, bulge));
@@ -62,6 +62,19 @@ ChainEdge arc(const RationalPoint& from, const RationalPoint& to, const Rational
   const Rational radius = square / (2 * along);
   const UnitVector end(start.vector() - (2 * along / square) * w);
   return {from, to, start, end, radius};
+}
+
+Rational bulge_of(const Circle& circle, const RationalPoint& from, const RationalPoint& to,
+                  int exponent) {
+  const Vector w = to - from;
+  const Rational square = squared_length(w);
+  DGT_CHECK(sgn(square) > 0);
+  // Arcs of nearly a whole turn lose as many bits as the chord is shorter than the radius: twice
+  // those of the chord's size cover that.
+  const int size = static_cast<int>(mpz_sizeinbase(square.get_den_mpz_t(), 2)) -
+                   static_cast<int>(mpz_sizeinbase(square.get_num_mpz_t(), 2));
+  const Rational chord = sqrt_within(square, exponent - 16 - 2 * std::max(size, 0));
+  return square / (2 * (circle.radius() * chord + cross(w, circle.centre() - from)));
 }
 
 std::optional<Chain> chain_of(const std::vector<BulgeVertex>& vertices, bool closed) {

@@ -40,6 +40,16 @@ struct Chain {
 [[nodiscard]] ChainEdge arc(const RationalPoint& from, const RationalPoint& to,
                             const Rational& bulge, int bits = kStandInBits);
 
+/// Edges of a smaller bulge are segments: the arc would leave its chord by less than 2⁻⁸¹ of it,
+/// and its radius would be known to too few bits.
+inline constexpr int kStraightBulgeExponent = -80;
+
+/// tan(sweep/4) of the arc of `circle` from `from` to `to` in its sense, within 2^exponent of its
+/// size: with |w| the chord and h the distance at which the centre lies to its left,
+/// |w|/(2 (r + h)). Precondition: the ends lie on the circle, as near as stand-ins do, and differ.
+[[nodiscard]] Rational bulge_of(const Circle& circle, const RationalPoint& from,
+                                const RationalPoint& to, int exponent = -kStandInBits);
+
 /// A vertex of a polyline with bulges; the bulge is that of the edge to the next vertex.
 struct BulgeVertex {
   RationalPoint at;

@@ -4,7 +4,10 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "kernel/cgal/one_root_order.h"
@@ -43,6 +46,39 @@ Leading leading_bits(const mpz_t n) {
   return {m, 64 * (static_cast<long>(limbs) - 2)};
 }
 
+/// Digits that surely fit a word of 64 bits, as does the power of ten with as many noughts.
+constexpr std::size_t kMaxWordDigits = 18;
+
+/// digits·10^−decimals. Only twos and fives can be common to both parts of the fraction, so lowest
+/// terms need no greatest common divisor of long numbers.
+Rational short_decimal(std::string_view digits, unsigned long decimals) {
+  unsigned long numerator = 0;
+  for (const char digit : digits)
+    numerator = 10 * numerator + static_cast<unsigned long>(digit - '0');
+  if (numerator == 0) return 0;
+  unsigned long denominator = 1;
+  unsigned long fives = decimals;
+  for (; fives > 0 && numerator % 5 == 0; --fives) numerator /= 5;
+  for (; fives > 0; --fives) denominator *= 5;
+  const unsigned long twos =
+      decimals - std::min(decimals, static_cast<unsigned long>(std::countr_zero(numerator)));
+  numerator >>= decimals - twos;
+  denominator <<= twos;
+  Rational value;
+  mpq_set_ui(value.get_mpq_t(), numerator, denominator);
+  return value;
+}
+
+Rational long_decimal(const std::string& digits, unsigned long decimals) {
+  Rational value;
+  value.get_num().set_str(digits, 10);
+  if (decimals > 0) {
+    mpz_ui_pow_ui(value.get_den_mpz_t(), 10, decimals);
+    value.canonicalize();
+  }
+  return value;
+}
+
 }  // namespace
 
 Rational power_of_two(int exponent) {
@@ -77,13 +113,28 @@ std::optional<Rational> parse_decimal(std::string_view text) {
     }
   }
   if (digits.empty()) return std::nullopt;
-  Rational value;
-  value.get_num().set_str(digits, 10);
-  if (decimals > 0) {
-    mpz_ui_pow_ui(value.get_den_mpz_t(), 10, decimals);
-    value.canonicalize();
-  }
+  Rational value = digits.size() <= kMaxWordDigits ? short_decimal(digits, decimals)
+                                                   : long_decimal(digits, decimals);
   if (negative) mpq_neg(value.get_mpq_t(), value.get_mpq_t());
+  return value;
+}
+
+std::optional<Rational> parse_scientific(std::string_view text) {
+  const std::size_t mark = text.find_first_of("eE");
+  auto value = parse_decimal(text.substr(0, mark));
+  if (!value || mark == std::string_view::npos) return value;
+  text.remove_prefix(mark + 1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  int exponent = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (std::abs(exponent) > kMaxDecimalExponent) return std::nullopt;
+  Integer power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+  if (exponent < 0)
+    *value /= power;
+  else
+    *value *= power;
   return value;
 }
 

@@ -37,6 +37,11 @@ inline constexpr int kContactExponent = -70;
 /// The value of a decimal such as `12`, `5.`, `.5`, `-0.25`, `+7`; nothing when `text` is none.
 [[nodiscard]] std::optional<Rational> parse_decimal(std::string_view text);
 
+/// The same with an exponent at most: `2e-5`, `1.5E+3`. Nothing, too, when the exponent is beyond
+/// ±kMaxDecimalExponent, which no double reaches.
+inline constexpr int kMaxDecimalExponent = 400;
+[[nodiscard]] std::optional<Rational> parse_scientific(std::string_view text);
+
 /// `value` with exactly `decimals` digits after the point, rounded to nearest, ties away from zero.
 /// Never prints a negative zero.
 [[nodiscard]] std::string to_decimal(const Rational& value, int decimals);
