@@ -37,6 +37,10 @@ class Path {
   [[nodiscard]] bool grows(const Leg& leg) const;
   void emit_stop(const Leg& leg, std::vector<Move>& moves);
   void check_motion(const Leg& leg, const Move& move);
+  void check_blends(const Leg& leg, const Move& move);
+  [[nodiscard]] const Leg* beside(const Leg& leg, int step) const;
+  [[nodiscard]] std::optional<Point> corner(const Leg& leg, std::size_t own, const Leg* next,
+                                            std::size_t far) const;
   void report(ContourFault::Kind kind, std::size_t item, double measure = 0);
 
   const ContourLegs& legs_;

@@ -281,11 +281,20 @@ Point Point::crossing(const Carrier& a, const Carrier& b, Which which) {
   return point;
 }
 
+Point Point::on_demand(double x, double y, std::function<ExactPoint()> exact) {
+  Point point;
+  point.x_ = x;
+  point.y_ = y;
+  point.form_ = std::make_shared<const Form>(std::move(exact));
+  return point;
+}
+
 ExactPoint Point::exact() const {
   if (!form_) return ExactPoint(RationalPoint{0, 0});
   if (const auto* rational = std::get_if<RationalPoint>(form_.get())) return ExactPoint(*rational);
   if (const auto* crossing = std::get_if<Crossing>(form_.get()))
     return stages::exact_crossing(crossing->a.element(), crossing->b.element(), crossing->which);
+  if (const auto* form = std::get_if<std::function<ExactPoint()>>(form_.get())) return (*form)();
   return *std::get<std::unique_ptr<const ExactPoint>>(*form_);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <variant>
 
@@ -33,6 +34,10 @@ class Point {
   /// filter has them already.
   static Point crossing(const Carrier& a, const Carrier& b, Which which);
 
+  /// A point whose coordinates are known correctly rounded, and whose exact form is worked out by
+  /// `exact` when somebody asks for it.
+  static Point on_demand(double x, double y, std::function<ExactPoint()> exact);
+
   /// Millimetres, the double nearest to the exact coordinate (0 within 2⁻⁶⁴ mm of it).
   [[nodiscard]] double x() const { return x_; }
   [[nodiscard]] double y() const { return y_; }
@@ -47,7 +52,8 @@ class Point {
     Carrier b;
     Which which;
   };
-  using Form = std::variant<RationalPoint, Crossing, std::unique_ptr<const ExactPoint>>;
+  using Form = std::variant<RationalPoint, Crossing, std::unique_ptr<const ExactPoint>,
+                            std::function<ExactPoint()>>;
 
   double x_ = 0;
   double y_ = 0;

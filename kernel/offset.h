@@ -45,6 +45,19 @@ inline constexpr double kOffsetResolution = 1e-9;
 [[nodiscard]] std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
                                                        const Rational& distance);
 
+/// The production engine: winding numbers carried along the raw curve, crossings found through a
+/// box tree in contour order, every decision in balls (number.h). Where a ball cannot tell
+/// (coincident edges, triple points, contacts) the whole input goes to the reference engine. Same
+/// loops as reference_offset.
+struct OffsetCounts {
+  std::size_t pairs = 0;      ///< pieces whose boxes overlap
+  std::size_t crossings = 0;  ///< of the raw curves
+  bool by_reference = false;  ///< some decision was left open
+};
+[[nodiscard]] std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops,
+                                                        const Rational& distance,
+                                                        OffsetCounts* counts = nullptr);
+
 /// mm², counter-clockwise positive, and mm; within a few units in the last place of the
 /// coordinates.
 [[nodiscard]] double area(const OffsetLoop& loop);
