@@ -69,7 +69,8 @@ class Divider {
         distance_bound(balls(piece.to), piece.exact.to) > kExactDeviation)
       return std::nullopt;
     const auto fitted = fit(piece);
-    if (!fitted || fitted->deviation > kExactDeviation || fitted->mismatch > limits_.mismatch)
+    if (!fitted || fitted->deviation > kExactDeviation || fitted->mismatch > limits_.mismatch ||
+        is_too_small(fitted->arc))
       return std::nullopt;
     return as_arc(piece, *fitted);
   }
@@ -123,7 +124,7 @@ class Divider {
 
   bool acceptable(const FittedArc& fitted) const {
     if (fitted.deviation > kWorstDeviation || fitted.mismatch > limits_.mismatch) return false;
-    if (limits_.form == ArcForm::Centre) return true;
+    if (limits_.form == ArcForm::Centre) return !is_too_small(fitted.arc);
     // What was rounded keeps to the limit as well.
     const WrittenArc& arc = fitted.arc;
     const auto dx = static_cast<long double>(arc.to.x - arc.from.x);
@@ -131,6 +132,16 @@ class Divider {
     const long double widest =
         2 * static_cast<long double>(arc.radius) * std::sin(limits_.sweep / 2);
     return dx * dx + dy * dy <= widest * widest * (1 + kAngleSlack);
+  }
+
+  /// Whether a control would take an arc about a centre for none at all.
+  bool is_too_small(const WrittenArc& arc) const {
+    const auto below = [&](const GridPoint& p) {
+      const auto x = static_cast<long double>(p.x - arc.centre.x);
+      const auto y = static_cast<long double>(p.y - arc.centre.y);
+      return x * x + y * y < limits_.least_radius * limits_.least_radius * (1 + kAngleSlack);
+    };
+    return limits_.form == ArcForm::Centre && (below(arc.from) || below(arc.to));
   }
 
   static WrittenPiece as_arc(const ArcPiece& piece, const FittedArc& fitted) {

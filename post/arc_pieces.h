@@ -42,6 +42,7 @@ struct ArcLimits {
   ArcForm form = ArcForm::Centre;
   long double sweep = 0;
   double mismatch = 0;
+  long double least_radius = 0;  ///< of a centre-form arc
 };
 
 /// The pieces of an arc in order, joined in grid points.

@@ -46,6 +46,8 @@ Dialect linuxcnc() {
   d.unit = Rational(1, 1000);
   // LinuxCNC and GRBL accept more; what keeps to one step is accepted everywhere.
   d.radius_mismatch = Rational(1, 1000);
+  // Below RADIUS_TOLERANCE_MM, 0.00005 inch, LinuxCNC refuses a "Zero-radius arc".
+  d.least_radius = Rational(127, 100000);
   d.header = {"G21 G90 G17 G40 G91.1"};
   d.footer = {"M02"};
   d.torch_on = "M07";

@@ -42,6 +42,9 @@ struct Dialect {
   double max_arc_degrees = 180;
   /// The two radii of a centre-form arc differ by no more, in mm.
   Rational radius_mismatch{1, 20};
+  /// No radius of a centre-form arc is less, in mm; smaller arcs are divided, in the end into
+  /// lines.
+  Rational least_radius{0};
 
   std::vector<std::string> header;
   std::vector<std::string> footer;

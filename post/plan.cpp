@@ -36,7 +36,8 @@ class Planner {
                 180,
             dialect.arc_form == ArcForm::Centre
                 ? nearest_double(Rational(dialect.radius_mismatch / dialect.unit)) * (1 + 0x1p-50)
-                : std::numeric_limits<double>::infinity()} {}
+                : std::numeric_limits<double>::infinity(),
+            nearest_double(Rational(dialect.least_radius / dialect.unit))} {}
 
   Plan run() {
     decide_torch();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/post/paths.h"
 
 namespace dgt {
@@ -15,6 +17,10 @@ const Dialect& plasmatic() { return *find_dialect("plasmatic"); }
 const Dialect& linuxcnc() { return *find_dialect("linuxcnc"); }
 
 std::string text(const PathBuilder& p, const Dialect& d) { return write(p.path(), d).text; }
+
+double radius_at_end(const replay::Step& arc) {
+  return std::hypot(arc.to.x - arc.centre.x, arc.to.y - arc.centre.y);
+}
 
 TEST(PlasmaticText, IncrementsFromTheStartZeroWordsLeftOut) {
   PathBuilder p({q("3"), q("4")});
@@ -114,6 +120,37 @@ TEST(LinuxcncText, RoundedEndsGetACentreWithEqualRadii) {
   EXPECT_LT(arc.mismatch, 1e-9);
   EXPECT_NEAR(arc.centre.x, 0.0004, 0.001);
   EXPECT_NEAR(arc.centre.y, 10, 0.0011);
+}
+
+// LinuxCNC refuses a smaller one as a "Zero-radius arc".
+TEST(LinuxcncText, NoRadiusIsBelowTheLeast) {
+  Dialect fine = linuxcnc();
+  fine.unit = q("0.000001");
+  int arcs = 0;
+  for (const char* radius : {"0.001", "0.0012", "0.001269", "0.001271", "0.002"}) {
+    PathBuilder p({q(radius), 0});
+    p.feed("1").arc({q(radius), 0}, {0, 0}, true);
+    for (const Dialect& dialect : {linuxcnc(), fine}) {
+      const WriteResult r = write(p.path(), dialect);
+      EXPECT_LE(r.report.deviation, 1.25 * nearest_double(dialect.unit));
+      for (const replay::Step& step : replay::gcode(r.text, {}).steps) {
+        if (step.kind != replay::Step::Kind::Arc) continue;
+        ++arcs;
+        EXPECT_GE(step.radius, 0.00127 - 1e-12) << radius;
+        EXPECT_GE(radius_at_end(step), 0.00127 - 1e-12) << radius;
+      }
+    }
+  }
+  EXPECT_GT(arcs, 4);
+}
+
+TEST(LinuxcncText, ACircleAboveTheLeastRadiusStaysTwoArcs) {
+  PathBuilder p({q("0.001271"), 0});
+  p.feed("1").arc({q("0.001271"), 0}, {0, 0}, true);
+  Dialect fine = linuxcnc();
+  fine.unit = q("0.000001");
+  EXPECT_EQ(write(p.path(), fine).report.arcs, 2u);
+  EXPECT_EQ(write(p.path(), fine).report.lines, 0u);
 }
 
 TEST(Dialects, AreFoundByName) {

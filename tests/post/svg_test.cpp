@@ -54,7 +54,7 @@ TEST(DrawSvg, ProgrammedGreenEquidistantYellowRapidsDashed) {
 TEST(DrawSvg, TheSheetHoldsBothContoursTheStartAndAMarginWithYUp) {
   // 15 x 10 mm from (-5, 0) to (10, 10), a margin of 0.75 mm.
   EXPECT_THAT(draw_svg(corner_path()), HasSubstr("viewBox=\"-5.75 -10.75 16.5 11.5\""));
-  EXPECT_THAT(draw_svg(corner_path()), HasSubstr("<g transform=\"scale(1,-1)\">"));
+  EXPECT_THAT(draw_svg(corner_path()), HasSubstr("<g transform=\"scale(1,-1)\""));
 }
 
 TEST(DrawSvg, ArcsAreArcCommandsWithSizeAndSense) {
