@@ -94,10 +94,14 @@ bool Path::rests_on_eaten(const Joint& joint) {
     if (!known) check_survival(used);
     return true;
   };
+  const auto check_both = [&](const UsedElement& a, const UsedElement& b) {
+    const bool first = check(a);
+    return check(b) || first;  // both are reported
+  };
   return std::visit(
       [&](const auto& rule) {
         if constexpr (requires { rule.a; })
-          return static_cast<bool>(check(rule.a) | check(rule.b));
+          return check_both(rule.a, rule.b);
         else if constexpr (requires { rule.on; })
           return check(rule.on);
         else

@@ -61,6 +61,7 @@ struct OffsetCounts {
 /// mm², counter-clockwise positive, and mm; within a few units in the last place of the
 /// coordinates.
 [[nodiscard]] double area(const OffsetLoop& loop);
+/// Arcs of at most half a turn.
 [[nodiscard]] double area(const Chain& closed);
 [[nodiscard]] double length(const OffsetLoop& loop);
 

@@ -14,7 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 
 #include "kernel/box_tree.h"
 #include "kernel/cgal/raw_crossing.h"
@@ -51,6 +54,21 @@ struct Strand {
   Ball radius;  ///< not negative
   bool ccw = true;
   std::size_t loop = 0;
+  std::size_t edge = 0;
+  bool corner = false;  ///< behind the edge
+};
+
+/// What exact points are worked out from, long after the engine has gone.
+struct Source {
+  std::vector<Chain> loops;
+  Rational distance;
+
+  [[nodiscard]] RawPiece piece(std::size_t loop, std::size_t edge, bool corner) const {
+    const auto& edges = loops[loop].edges;
+    const ChainEdge& next = edges[(edge + 1) % edges.size()];
+    return corner ? raw_corner(edges[edge], next, distance).value()
+                  : raw_edge(edges[edge], distance).value();
+  }
 };
 
 /// A crossing as one of its two strands sees it.
@@ -65,7 +83,10 @@ struct Event {
 class Engine {
  public:
   Engine(const std::vector<Chain>& loops, const Rational& distance, OffsetCounts& counts)
-      : loops_(loops), distance_(distance), counts_(counts) {}
+      : source_(std::make_shared<const Source>(Source{loops, distance})),
+        loops_(source_->loops),
+        distance_(source_->distance),
+        counts_(counts) {}
 
   std::vector<OffsetLoop> run() {
     const int wanted = number_of_region(loops_);
@@ -86,17 +107,18 @@ class Engine {
       first_strand_.push_back(strands_.size());
       for (std::size_t k = 0; k < edges.size(); ++k) {
         const ChainEdge& next = edges[(k + 1) % edges.size()];
-        add_edge(edges[k], d, i);
-        add_corner(edges[k], next, d, i);
+        add_edge(edges[k], d, i, k);
+        add_corner(edges[k], next, d, i, k);
       }
       if (strands_.size() == first_strand_.back()) throw Open{};
     }
     first_strand_.push_back(strands_.size());
   }
 
-  void add_edge(const ChainEdge& edge, const Ball& d, std::size_t loop) {
+  void add_edge(const ChainEdge& edge, const Ball& d, std::size_t loop, std::size_t k) {
     Strand s;
     s.loop = loop;
+    s.edge = k;
     s.is_line = edge.is_line();
     s.from = balls(edge.from) + d * balls(edge.start.vector());
     s.to = balls(edge.to) + d * balls(edge.end.vector());
@@ -111,10 +133,13 @@ class Engine {
     strands_.push_back(s);
   }
 
-  void add_corner(const ChainEdge& edge, const ChainEdge& next, const Ball& d, std::size_t loop) {
+  void add_corner(const ChainEdge& edge, const ChainEdge& next, const Ball& d, std::size_t loop,
+                  std::size_t k) {
     if (edge.end == next.start) return;
     Strand s;
     s.loop = loop;
+    s.edge = k;
+    s.corner = true;
     s.is_line = false;
     s.centre = balls(edge.to);
     s.radius = d;
@@ -456,8 +481,6 @@ class Engine {
   // -----------------------------------------------------------------------------------
 
   std::vector<OffsetLoop> trace(int wanted) {
-    raw_ = std::make_shared<const std::vector<RawPiece>>(raw_curve(loops_, distance_));
-    DGT_CHECK(raw_->size() == strands_.size());
     std::vector<OffsetLoop> result;
     std::vector<bool> used(events_.size(), false);
     for (const std::size_t first : order_) {
@@ -481,31 +504,48 @@ class Engine {
     return result;
   }
 
+  /// A point that balls place and that `exact` can work out.
+  static Point point_at(const BallVector& at, std::function<ExactPoint()> exact) {
+    const auto x = at.x.nearest_double();
+    const auto y = at.y.nearest_double();
+    if (x && y) return Point::on_demand(*x, *y, std::move(exact));
+    return Point(exact());
+  }
+
   [[nodiscard]] Point end_of(std::size_t strand, bool beginning) const {
-    const RawPiece& raw = (*raw_)[strand];
-    return Point(beginning ? raw.from : raw.to);
+    const Strand& s = strands_[strand];
+    return point_at(beginning ? s.from : s.to,
+                    [source = source_, loop = s.loop, edge = s.edge, corner = s.corner, beginning] {
+                      const RawPiece raw = source->piece(loop, edge, corner);
+                      return ExactPoint(beginning ? raw.from : raw.to);
+                    });
   }
 
   [[nodiscard]] Point place_of(std::size_t event) const {
     const Event& e = events_[event];
     const std::size_t other = events_[e.twin].strand;
-    const std::size_t low = std::min(e.strand, other);
-    const std::size_t high = std::max(e.strand, other);
     const double x = static_cast<double>(e.at.x.mid);
     const double y = static_cast<double>(e.at.y.mid);
     // Of the two places where the supports meet, the one near the ball.
-    auto exact = [raw = raw_, low, high, x, y] {
-      const auto places = cgal::support_crossings((*raw)[low], (*raw)[high]);
+    return point_at(e.at, [source = source_, a = key(std::min(e.strand, other)),
+                           b = key(std::max(e.strand, other)), x, y] {
+      const auto places = cgal::support_crossings(source->piece(a.loop, a.edge, a.corner),
+                                                  source->piece(b.loop, b.edge, b.corner));
       const auto far = [&](const ExactPoint& p) {
         return std::hypot(nearest_double(p.x) - x, nearest_double(p.y) - y);
       };
       return *std::min_element(places.begin(), places.end(),
                                [&](const auto& p, const auto& q) { return far(p) < far(q); });
-    };
-    const auto rounded_x = e.at.x.nearest_double();
-    const auto rounded_y = e.at.y.nearest_double();
-    if (rounded_x && rounded_y) return Point::on_demand(*rounded_x, *rounded_y, std::move(exact));
-    return Point(exact());
+    });
+  }
+  struct Key {
+    std::size_t loop;
+    std::size_t edge;
+    bool corner;
+  };
+  [[nodiscard]] Key key(std::size_t strand) const {
+    const Strand& s = strands_[strand];
+    return {s.loop, s.edge, s.corner};
   }
 
   void add_stretch(OffsetLoop& loop, std::size_t begin, std::size_t end) const {
@@ -526,16 +566,18 @@ class Engine {
     OffsetPiece piece;
     piece.from = from;
     piece.to = to;
-    const RawPiece& raw = (*raw_)[strand];
-    piece.is_line = raw.is_line;
-    if (!raw.is_line) {
-      piece.centre = raw.centre;
-      piece.radius = exact_sqrt(raw.squared_radius).value();
-      if (!raw.counter_clockwise) piece.radius = -piece.radius;
+    const Strand& s = strands_[strand];
+    piece.is_line = s.is_line;
+    if (!s.is_line) {
+      const ChainEdge& edge = loops_[s.loop].edges[s.edge];
+      piece.centre = s.corner ? edge.to : edge.centre();
+      piece.radius = s.corner ? distance_ : Rational(abs(edge.radius - distance_));
+      if (!s.ccw) piece.radius = -piece.radius;
     }
     loop.pieces.push_back(std::move(piece));
   }
 
+  std::shared_ptr<const Source> source_;
   const std::vector<Chain>& loops_;
   const Rational& distance_;
   OffsetCounts& counts_;
@@ -549,7 +591,6 @@ class Engine {
   std::vector<std::size_t> first_event_;  ///< of each loop in the order, and one behind
   std::vector<int> left_after_;           ///< number left of the stretch behind an event
   std::vector<int> loop_number_;          ///< of loops without events
-  std::shared_ptr<const std::vector<RawPiece>> raw_;
 };
 
 }  // namespace

@@ -16,39 +16,6 @@ RationalPoint moved(const RationalPoint& p, const UnitVector& normal, const Rati
   return p + distance * normal.vector();
 }
 
-/// The arc about `corner` from the normal `from` to the normal `to`, turned the short way.
-void add_corner(std::vector<RawPiece>& raw, const RationalPoint& corner, const UnitVector& from,
-                const UnitVector& to, const Rational& distance) {
-  if (from == to) return;
-  const Rational turn = cross(from.vector(), to.vector());
-  RawPiece piece;
-  piece.from = moved(corner, from, distance);
-  piece.to = moved(corner, to, distance);
-  piece.is_line = false;
-  piece.centre = corner;
-  piece.squared_radius = distance * distance;
-  // An edge that doubles back on itself turns half round; to the left, where its own material is
-  // not.
-  piece.counter_clockwise = sgn(turn) >= 0;
-  raw.push_back(std::move(piece));
-}
-
-void add_edge(std::vector<RawPiece>& raw, const ChainEdge& edge, const Rational& distance) {
-  RawPiece piece;
-  piece.from = moved(edge.from, edge.start, distance);
-  piece.to = moved(edge.to, edge.end, distance);
-  if (piece.from == piece.to) return;  // an arc shrunk to its centre
-  piece.is_line = edge.is_line();
-  if (!piece.is_line) {
-    const Rational radius = edge.radius - distance;
-    piece.centre = edge.centre();
-    piece.squared_radius = radius * radius;
-    // The normal turns the same way whatever the offset does to the radius.
-    piece.counter_clockwise = sgn(edge.radius) > 0;
-  }
-  raw.push_back(std::move(piece));
-}
-
 Box box_of(const OffsetLoop& loop) {
   const Point& first = loop.pieces.front().from;
   Box box{first.x(), first.y(), first.x(), first.y()};
@@ -101,16 +68,50 @@ bool may_have_voids(const std::vector<Chain>& loops, const Rational& distance) {
 
 }  // namespace
 
+std::optional<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
+                                   const Rational& distance) {
+  if (edge.end == next.start) return std::nullopt;
+  RawPiece piece;
+  piece.from = moved(edge.to, edge.end, distance);
+  piece.to = moved(edge.to, next.start, distance);
+  piece.is_line = false;
+  piece.centre = edge.to;
+  piece.squared_radius = distance * distance;
+  // The short way; an edge that doubles back on itself turns to the left, where its own material is
+  // not.
+  piece.counter_clockwise = sgn(cross(edge.end.vector(), next.start.vector())) >= 0;
+  return piece;
+}
+
+std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance) {
+  if (edge.radius == distance && !edge.is_line()) return std::nullopt;
+  RawPiece piece;
+  piece.from = moved(edge.from, edge.start, distance);
+  piece.to = moved(edge.to, edge.end, distance);
+  piece.is_line = edge.is_line();
+  if (!piece.is_line) {
+    const Rational radius = edge.radius - distance;
+    piece.centre = edge.centre();
+    piece.squared_radius = radius * radius;
+    // The normal turns the same way whatever the offset does to the radius.
+    piece.counter_clockwise = sgn(edge.radius) > 0;
+  }
+  return piece;
+}
+
 std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops, const Rational& distance) {
   std::vector<RawPiece> raw;
+  const auto add = [&](std::optional<RawPiece> piece) {
+    if (piece) raw.push_back(*std::move(piece));
+  };
   for (const Chain& loop : loops) {
     DGT_CHECK(loop.closed && !loop.edges.empty());
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
       const ChainEdge& edge = loop.edges[i];
       const ChainEdge& next = loop.edges[(i + 1) % loop.edges.size()];
       DGT_CHECK(edge.to == next.from);
-      add_edge(raw, edge, distance);
-      add_corner(raw, edge.to, edge.end, next.start, distance);
+      add(raw_edge(edge, distance));
+      add(raw_corner(edge, next, distance));
     }
   }
   return raw;
@@ -208,10 +209,23 @@ double area(const OffsetLoop& loop) {
 }
 
 double area(const Chain& closed) {
-  OffsetLoop loop;
-  for (const ChainEdge& e : closed.edges)
-    loop.pieces.push_back({Point(e.from), Point(e.to), e.is_line(), e.centre(), e.radius});
-  return area(loop);
+  const auto coarse = [](const Rational& value) { return static_cast<double>(Ball(value).mid); };
+  const double x0 = coarse(closed.edges.front().from.x);
+  const double y0 = coarse(closed.edges.front().from.y);
+  double sum = 0;
+  for (const ChainEdge& e : closed.edges) {
+    const double ax = coarse(e.from.x) - x0;
+    const double ay = coarse(e.from.y) - y0;
+    const double bx = coarse(e.to.x) - x0;
+    const double by = coarse(e.to.y) - y0;
+    sum += ax * by - ay * bx;
+    if (e.is_line()) continue;
+    const double r = coarse(e.radius);
+    const double theta =
+        2 * std::asin(std::min(1.0, std::hypot(bx - ax, by - ay) / (2 * std::fabs(r))));
+    sum += (r > 0 ? 1 : -1) * r * r * (theta - std::sin(theta));
+  }
+  return sum / 2;
 }
 
 double length(const OffsetLoop& loop) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel/offset.h"
@@ -19,6 +20,12 @@ struct RawPiece {
   bool counter_clockwise = true;
 };
 
+/// `edge` moved to the left; nothing for an arc shrunk to its centre.
+[[nodiscard]] std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance);
+/// The arc about the end of `edge` that turns its normal into that of `next`; nothing at a tangent
+/// joint.
+[[nodiscard]] std::optional<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
+                                                 const Rational& distance);
 /// The raw curves of all loops, one after the other.
 [[nodiscard]] std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops,
                                               const Rational& distance);
