@@ -31,6 +31,10 @@ Step<Layouts> lay_out(const std::string& file, const SourceOptions& options,
     if (const auto known = expect_source(file, options, console); !known) {
       return tl::unexpected(known.error());
     }
+    if (language_for(file, options) != InputLanguage::Dgt) {
+      console.error(Text::DgtOnly, {file});
+      return tl::unexpected(ExitCode::WrongUsage);
+    }
   }
   auto bytes = read_file(file);
   if (!bytes) return tl::unexpected(report(bytes.error(), console));

@@ -64,6 +64,7 @@ void declare(CLI::App& app, Job& job) {
   add_points(app, job);
   add_info(app, job);
   add_plot(app, job);
+  add_offset(app, job);
 }
 
 ExitCode run(const Job& job) {

@@ -42,6 +42,7 @@ void MessageOptions::finish() const {
 
 SourceSettings SourceOptions::settings() const {
   SourceSettings settings;
+  settings.from = from;
   settings.encoding = encoding;
   settings.evaluate.offset_side = offset_side;
   settings.evaluate.join_tolerance = parse_decimal(join_tolerance).value();
@@ -78,11 +79,13 @@ void add_message_options(CLI::App& verb, MessageOptions& options) {
 }
 
 void add_reading_options(CLI::App& verb, SourceOptions& options) {
-  static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt}};
-  verb.add_option("--from", options.from,
-                  "Language of the input (default: by the extension; .bgt and .dgt are DGT; "
-                  "standard input is DGT)")
-      ->option_text("dgt")
+  static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt},
+                                                               {"poly", InputLanguage::Poly}};
+  verb.add_option(
+          "--from", options.from,
+          "Language of the input (default: by the extension; .bgt and .dgt are DGT, .poly is "
+          "polylines; standard input is DGT)")
+      ->option_text("dgt|poly")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
   verb.add_option(

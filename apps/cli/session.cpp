@@ -23,6 +23,10 @@ Step<void> expect_source(const std::string& file, const SourceOptions& options,
   return tl::unexpected(ExitCode::WrongUsage);
 }
 
+InputLanguage language_for(const std::string& file, const SourceOptions& options) {
+  return options.from.value_or(language_of(file).value_or(InputLanguage::Dgt));
+}
+
 Step<Compilation> examine(const std::string& file, const SourceOptions& options,
                           const Console& console) {
   if (const auto known = expect_source(file, options, console); !known) {

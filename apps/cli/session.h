@@ -25,6 +25,9 @@ using Step = tl::expected<T, ExitCode>;
 [[nodiscard]] Step<void> expect_source(const std::string& file, const SourceOptions& options,
                                        const Console& console);
 
+/// By --from or the extension; DGT when neither says anything.
+[[nodiscard]] InputLanguage language_for(const std::string& file, const SourceOptions& options);
+
 /// Tells of a file that failed.
 [[nodiscard]] ExitCode report(const FileError& error, const Console& console);
 

@@ -23,6 +23,7 @@ void add_compile(CLI::App& app, Job& job);
 void add_format(CLI::App& app, Job& job);
 void add_dump(CLI::App& app, Job& job);
 void add_info(CLI::App& app, Job& job);
+void add_offset(CLI::App& app, Job& job);
 void add_path(CLI::App& app, Job& job);
 void add_plot(CLI::App& app, Job& job);
 void add_points(CLI::App& app, Job& job);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lang/poly/toolpath.h"
+
 namespace dgt {
 namespace {
 
@@ -23,11 +25,23 @@ std::string lower_extension(const std::string& name) {
   return extension;
 }
 
+void compile_dgt(Compilation& made, const std::string& name, const SourceSettings& settings) {
+  FolderLoader loader(folder_of(name), {settings.macro_path.begin(), settings.macro_path.end()});
+  made.result = compile(*made.file, loader, settings.evaluate, made.bag);
+}
+
+void compile_poly(Compilation& made) {
+  const std::vector<PolyLoop> loops = read_poly(*made.file, made.bag);
+  made.bag.sort();
+  if (!made.bag.has_errors()) made.result.path = toolpath_of(loops, *made.file);
+}
+
 }  // namespace
 
 std::optional<InputLanguage> language_of(const std::string& name) {
   const std::string extension = lower_extension(name);
   if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
+  if (extension == ".poly") return InputLanguage::Poly;
   return std::nullopt;
 }
 
@@ -40,8 +54,15 @@ Compilation compile_bytes(const std::string& name, std::string_view bytes,
                           const SourceSettings& settings) {
   Compilation made;
   made.file = decode_source(name, bytes, settings.encoding);
-  FolderLoader loader(folder_of(name), {settings.macro_path.begin(), settings.macro_path.end()});
-  made.result = compile(*made.file, loader, settings.evaluate, made.bag);
+  const InputLanguage by_name = language_of(name).value_or(InputLanguage::Dgt);
+  switch (settings.from.value_or(by_name)) {
+    case InputLanguage::Dgt:
+      compile_dgt(made, name, settings);
+      break;
+    case InputLanguage::Poly:
+      compile_poly(made);
+      break;
+  }
   return made;
 }
 

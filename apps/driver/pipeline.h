@@ -14,18 +14,19 @@
 /// tests and the fuzzers share.
 namespace dgt {
 
-enum class InputLanguage : std::uint8_t { Dgt };
+enum class InputLanguage : std::uint8_t { Dgt, Poly };
 
-/// By the extension, in either case: `.bgt` and `.dgt`. Standard input is DGT.
+/// By the extension, in either case: `.bgt` and `.dgt`, `.poly`. Standard input is DGT.
 [[nodiscard]] std::optional<InputLanguage> language_of(const std::string& name);
 
 struct SourceSettings {
+  std::optional<InputLanguage> from;  ///< unset: by the extension, DGT when that says nothing
   EvaluateOptions evaluate;
   std::optional<Encoding> encoding;     ///< of the program; `evaluate` has that of macros
   std::vector<std::string> macro_path;  ///< folders, after the program's own and its `mac`
 };
 
-/// A source that has been read and executed.
+/// A source that has been read and executed; of a polyline `result` has the path alone.
 struct Compilation {
   std::shared_ptr<const SourceFile> file;
   CompileResult result;
@@ -41,7 +42,7 @@ struct Compilation {
 [[nodiscard]] Compilation compile_bytes(const std::string& name, std::string_view bytes,
                                         const SourceSettings& settings);
 
-/// Compiles a DGT program; `-` is standard input, a program that was never saved.
+/// Compiles a program; `-` is standard input, a program that was never saved.
 [[nodiscard]] FileResult<Compilation> compile_file(const std::string& name,
                                                    const SourceSettings& settings);
 
