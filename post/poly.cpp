@@ -49,7 +49,7 @@ void append_edge(std::string& out, const Move& move) {
   append_vertex(out, move.from.x(), move.from.y(), bulge);
   if (!move.full_circle) return;
   const RationalPoint from = near_to(move.from);
-  const RationalPoint& centre = move.circle().centre();
+  const RationalPoint centre = move.circle().centre();
   const Point across(2 * centre - from);
   append_vertex(out, across.x(), across.y(), bulge);
 }

@@ -211,16 +211,16 @@ TEST(PolyMessages, NumbersOfTooManyDigits) {
 TEST(PolyMessages, SpeakRussian) {
   const ReadPoly read("0 0\n\n1 1 x\n\n2 2 0\n\nopen\n");
   EXPECT_EQ(read.messages(Language::Russian),
-            "t.poly:1:4: ошибка: вершина задаётся тремя числами x y bulge; здесь их 2 [DGT1002]\n"
+            "t.poly:1:4: error: вершина задаётся тремя числами x y bulge; здесь их 2 [DGT1002]\n"
             "0 0\n"
             "   ^\n"
-            "t.poly:3:5: ошибка: «x» — не число [DGT1001]\n"
+            "t.poly:3:5: error: «x» — не число [DGT1001]\n"
             "1 1 x\n"
             "    ^\n"
-            "t.poly:5:1: ошибка: в этом контуре меньше двух различных вершин [DGT1004]\n"
+            "t.poly:5:1: error: в этом контуре меньше двух различных вершин [DGT1004]\n"
             "2 2 0\n"
             "^~~~~\n"
-            "t.poly:7:1: ошибка: open ставится один раз, отдельной строкой перед первой вершиной "
+            "t.poly:7:1: error: open ставится один раз, отдельной строкой перед первой вершиной "
             "контура [DGT1003]\n"
             "open\n"
             "^~~~\n");
