@@ -89,26 +89,34 @@ struct Pen {
   double dash = 0;  ///< pixels; 0: drawn through
 };
 
-/// What the drawing covers, and how many mm a pixel of it is.
-struct Sheet {
-  double left = 0;
-  double top = 0;
-  double width = 0;
-  double height = 0;
-  double pixel = 1;
-};
+void add(Box& box, const Box& other) {
+  if (other.empty()) return;
+  box.add(other.left, other.bottom);
+  box.add(other.right, other.top);
+}
 
-Sheet sheet_of(const Toolpath& path, const DrawingStyle& style) {
+/// Points and axes are on the sheet; circles too when there is no path to show.
+void add(Box& box, const NamedShape& named, bool alone) {
+  if (const auto* spot = std::get_if<NamedSpot>(&named.shape)) box.add(spot->x, spot->y);
+  if (const auto* axes = std::get_if<NamedAxes>(&named.shape)) box.add(axes->x, axes->y);
+  const auto* circle = std::get_if<Circle>(&named.shape);
+  if (circle == nullptr || !alone) return;
+  const double x = coordinate(circle->centre().x);
+  const double y = coordinate(circle->centre().y);
+  const double radius = nearest_double(abs(circle->radius()));
+  box.add(x - radius, y - radius);
+  box.add(x + radius, y + radius);
+}
+
+/// What the drawing covers, and how many mm a pixel of it is.
+Sheet sheet_of(const Toolpath& path, const DrawingStyle& style, std::span<const NamedShape> named) {
   Box box = box_of(path.moves);
   box.add(coordinate(path.start.x), coordinate(path.start.y));
-  for (const Contour& contour : path.contours) {
-    const Box programmed = box_of(contour.programmed);
-    if (programmed.empty()) continue;
-    box.add(programmed.left, programmed.bottom);
-    box.add(programmed.right, programmed.top);
-  }
+  for (const Contour& contour : path.contours) add(box, box_of(contour.programmed));
+  for (const NamedShape& shape : named) add(box, shape, path.moves.empty());
   constexpr double kLeastSide = 1;  // mm: a path that goes nowhere still has a sheet
-  const double margin = style.margin * std::max({box.width(), box.height(), kLeastSide});
+  const double share = named.empty() ? style.margin : style.margin_named;
+  const double margin = share * std::max({box.width(), box.height(), kLeastSide});
   const double width = box.width() + 2 * margin;
   const double height = box.height() + 2 * margin;
   return {box.left - margin, box.top + margin, width, height, std::max(width, height) / style.size};
@@ -126,8 +134,9 @@ class Drawing {
   Drawing(const Sheet& sheet, const DrawingStyle& style) : sheet_(sheet), style_(style) {
     out_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"";
-    append_attribute(out_, "width", sheet.width / sheet.pixel);
-    append_attribute(out_, "height", sheet.height / sheet.pixel);
+    const double longer = std::max(sheet.width, sheet.height);
+    append_attribute(out_, "width", style.size * (sheet.width / longer));
+    append_attribute(out_, "height", style.size * (sheet.height / longer));
     out_ += " viewBox=\"";
     for (const double value : {sheet.left, -sheet.top, sheet.width}) {
       append_number(out_, value);
@@ -172,6 +181,29 @@ class Drawing {
     if (!data.empty()) out_.append("    <path d=\"").append(data).append("\"/>\n");
   }
   void close() { out_ += "  </g>\n"; }
+  void group(const Pen& pen, const std::string& data) {
+    open(pen);
+    path(data);
+    close();
+  }
+
+  /// Upright, with a rim in the colour of the sheet so that strokes beneath do not disturb.
+  void write(const std::vector<PlacedName>& names) {
+    const double height = style_.letters_height * sheet_.pixel;
+    out_.append("  <g class=\"names\" transform=\"scale(1,-1)\" text-anchor=\"middle\"");
+    out_.append(" font-family=\"sans-serif\" paint-order=\"stroke\" fill=\"");
+    out_.append(style_.letters).append("\" stroke=\"").append(style_.background).append("\"");
+    append_attribute(out_, "font-size", height);
+    append_attribute(out_, "stroke-width", height / 4);
+    out_ += ">\n";
+    for (const PlacedName& name : names) {
+      out_ += "    <text";
+      append_attribute(out_, "x", name.x);
+      append_attribute(out_, "y", -name.y);
+      out_.append(">").append(name.text).append("</text>\n");
+    }
+    close();
+  }
 
   [[nodiscard]] std::string finish() {
     out_ += "</g>\n</svg>\n";
@@ -213,26 +245,40 @@ std::string start_data(const Toolpath& path) {
 
 }  // namespace
 
-std::string draw_svg(const Toolpath& path, const DrawingStyle& style) {
+std::string draw_svg(const Toolpath& path, const DrawingStyle& style,
+                     std::span<const NamedShape> named) {
+  const Pen element{"element", style.named, style.named_width};
+  const Pen arrow{"arrow", style.letters, style.arrow_width};
+  const Pen head{"head", style.equidistant, style.arrow_width};
+  const Pen dot{"dot", style.letters, style.dot_width};
   const Pen programmed{"programmed", style.programmed, style.programmed_width};
   const Pen equidistant{"equidistant", style.equidistant, style.equidistant_width};
   const Pen rapid{"rapid", style.rapid, style.rapid_width, style.rapid_dash};
   const Pen start{"start", style.start, style.start_width};
-  const Sheet sheet = sheet_of(path, style);
+  const Sheet sheet = sheet_of(path, style, named);
   Drawing drawing(sheet, style);
-  drawing.rule({programmed, equidistant, rapid, start});
+  NamesLayout names;
+  if (named.empty()) {
+    drawing.rule({programmed, equidistant, rapid, start});
+  } else {
+    names = lay_out_names(named, path, sheet, style.letters_height * sheet.pixel);
+    drawing.rule({element, arrow, head, dot, programmed, equidistant, rapid, start});
+    drawing.group(element, names.elements);
+  }
   drawing.open(programmed);
   draw_programmed(drawing, path);
   drawing.close();
   drawing.open(equidistant);
   draw_equidistant(drawing, path);
   drawing.close();
-  drawing.open(rapid);
-  drawing.path(path_data(path.moves, is_rapid));
-  drawing.close();
-  drawing.open(start);
-  drawing.path(start_data(path));
-  drawing.close();
+  drawing.group(rapid, path_data(path.moves, is_rapid));
+  drawing.group(start, start_data(path));
+  if (!named.empty()) {
+    drawing.group(head, names.heads);
+    drawing.group(arrow, names.arrows);
+    drawing.group(dot, names.dots);
+    drawing.write(names.names);
+  }
   return drawing.finish();
 }
 

@@ -283,6 +283,24 @@ TEST(DgtPlot, WithoutANameTheDrawingGoesToStandardOutput) {
   EXPECT_THAT(run_dgt({"plot", corpus("1P.bgt")}).out, StartsWith("<?xml"));
 }
 
+TEST(DgtPlot, NamesElementsAsTheyAreCutAndFilletsByTheirWord) {
+  const auto drawn = [](const std::string& program) {
+    return run_dgt({"plot", "--names", corpus(program)}).out;
+  };
+  EXPECT_THAT(drawn("1P.bgt"), HasSubstr(">C2</text>"));
+  EXPECT_THAT(drawn("4P-plain.bgt"), HasSubstr(">R3</text>"));
+  // Turned by 15 degrees, the upper side is cut as L-3 and is nowhere else.
+  EXPECT_THAT(drawn("rows/contour_a.bgt"), HasSubstr(">L-3</text>"));
+  EXPECT_THAT(drawn("rows/contour_a.bgt"), Not(HasSubstr(">L3</text>")));
+  EXPECT_THAT(run_dgt({"plot", corpus("1P.bgt")}).out, Not(HasSubstr("<text")));
+}
+
+TEST(DgtPlot, TheSizeIsThatOfTheLongerSide) {
+  EXPECT_THAT(run_dgt({"plot", "--size", "500", corpus("rows/contour_w.bgt")}).out,
+              HasSubstr("width=\"500\""));
+  EXPECT_EQ(run_dgt({"plot", "--size", "0", corpus("1P.bgt")}).exit_code, kWrongUsage);
+}
+
 TEST(DgtDump, PrintsTheStagesAskedFor) {
   const auto dump = [](const std::string& flag) {
     return run_dgt({"dump", corpus("1P.bgt"), flag}).out;

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdio>
+
 #include "tests/support/moves.h"
 
 namespace dgt {
@@ -102,6 +104,82 @@ TEST(DrawSvg, StrokesAreInPixelsOrElseInMillimetresOfTheSameWidth) {
   EXPECT_THAT(drawing, HasSubstr(".programmed { stroke-width: 3px; }"));
   EXPECT_THAT(group(drawing, "programmed"), HasSubstr("stroke-width=\"0.0495\""));
   EXPECT_THAT(drawing, HasSubstr(".rapid { stroke-width: 1px; stroke-dasharray: 5px; }"));
+}
+
+// --- named elements -----------------------------------------------------------------------------
+
+std::vector<NamedShape> corner_names() {
+  const Line level(UnitVector(Vector{0, 1}), 0);
+  return {{"P1", NamedSpot{5, 5, true}},
+          {"R2", NamedSpot{9, 5, false}},
+          {"O1", NamedAxes{-4, 8, 0, 1}},
+          {"C1", Circle({5, 5}, -3)},
+          {"L1", level},
+          {"L9", level.offset(100)}};
+}
+std::string named_corner() { return draw_svg(corner_path(), {}, corner_names()); }
+
+TEST(DrawSvgNames, ElementsLieThinBeneathThePathAndAcrossTheSheet) {
+  // 15 mm and a margin of 0.12 of it on each side.
+  EXPECT_THAT(named_corner(), HasSubstr("viewBox=\"-6.8 -11.8 18.6 13.6\""));
+  const std::string elements = group(named_corner(), "element");
+  EXPECT_THAT(elements, HasSubstr("M8 5 A3 3 0 0 1 2 5 A3 3 0 0 1 8 5"));
+  EXPECT_THAT(elements, HasSubstr("M-6.8"));
+  EXPECT_LT(named_corner().find("class=\"element\""), named_corner().find("class=\"programmed\""));
+}
+
+TEST(DrawSvgNames, EveryNameOnTheSheetIsWrittenUprightAndOthersAreNot) {
+  const std::string names = group(named_corner(), "names");
+  EXPECT_THAT(names, HasSubstr("transform=\"scale(1,-1)\""));
+  for (const char* name : {"P1", "R2", "O1", "C1", "L1"}) {
+    EXPECT_THAT(names, HasSubstr(">" + std::string(name) + "</text>"));
+  }
+  EXPECT_THAT(names, Not(HasSubstr("L9")));
+}
+
+TEST(DrawSvgNames, APlaceWithoutADotHasNone) {
+  EXPECT_THAT(group(named_corner(), "dot"), HasSubstr("d=\"M5 5 h0\""));
+}
+
+TEST(DrawSvgNames, AnArrowPointsAlongItsElement) {
+  const auto arrows_of = [](const Line& line) {
+    const std::vector<NamedShape> one = {{"L1", line}};
+    return group(draw_svg(corner_path(), {}, one), "arrow");
+  };
+  const Line level(UnitVector(Vector{0, 1}), 5);
+  // Three points: a wing, the tip, a wing.
+  const auto tip_is_ahead = [](const std::string& group) {
+    double wing = 0;
+    double tip = 0;
+    const auto at = group.find("d=\"M");
+    EXPECT_EQ(std::sscanf(group.c_str() + at, "d=\"M%lf %*f L%lf", &wing, &tip), 2) << group;
+    return tip > wing;
+  };
+  EXPECT_TRUE(tip_is_ahead(arrows_of(level)));
+  EXPECT_FALSE(tip_is_ahead(arrows_of(level.reversed())));
+}
+
+TEST(DrawSvgNames, NamesDoNotCoverEachOther) {
+  const std::vector<NamedShape> two = {{"P1", NamedSpot{5, 5, true}},
+                                       {"P2", NamedSpot{5, 5, true}}};
+  const std::string names = group(draw_svg(corner_path(), {}, two), "names");
+  const auto place = [&](const std::string& name) {
+    const auto end = names.find(">" + name + "<");
+    return names.substr(names.rfind("<text", end), end - names.rfind("<text", end));
+  };
+  EXPECT_NE(place("P1"), place("P2"));
+}
+
+TEST(DrawSvgNames, ArrowsStandOnThePathButNotOnLeads) {
+  Toolpath path = corner_path();
+  EXPECT_THAT(group(draw_svg(path, {}, corner_names()), "head"), HasSubstr("d=\"M"));
+  for (Move& move : path.moves) move.role = Role::LeadIn;
+  EXPECT_THAT(group(draw_svg(path, {}, corner_names()), "head"), Not(HasSubstr("d=\"M")));
+}
+
+TEST(DrawSvgNames, WithoutNamesTheDrawingHasNoneOfIt) {
+  EXPECT_THAT(draw_svg(corner_path()), Not(HasSubstr("<text")));
+  EXPECT_THAT(draw_svg(corner_path()), Not(HasSubstr("class=\"arrow\"")));
 }
 
 TEST(DrawSvg, TheSamePathGivesTheSameBytes) {
