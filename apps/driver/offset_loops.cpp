@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <tuple>
 #include <utility>
 
 #include "apps/driver/move_json.h"
-#include "kernel/check.h"
 #include "lang/poly/toolpath.h"
 #include "post/poly.h"
 #include "post/svg.h"
@@ -35,15 +34,26 @@ bool on_one_circle(const Move& a, const Move& b) {
 
 bool same_as_written(const Point& a, const Point& b) { return a.x() == b.x() && a.y() == b.y(); }
 
-/// Ends where it begins, as written, without being a turn.
-bool is_invisible(const Move& move) {
-  return same_as_written(move.from, move.to) &&
+/// Coordinates that come from tangent joints in decimals are this far off their joints, and engines
+/// then put arcs between; nothing that is meant is so short. Unit: of the last place of the larger
+/// coordinate.
+constexpr double kInvisible = 8;
+
+bool nearly_same(const Point& a, const Point& b) {
+  const double size = std::max(std::fabs(a.x()), std::fabs(a.y()));
+  const double reach = kInvisible * std::numeric_limits<double>::epsilon() * size;
+  return std::fabs(a.x() - b.x()) <= reach && std::fabs(a.y() - b.y()) <= reach;
+}
+
+/// Ends where it begins, as good as, without being a turn.
+bool is_invisible(const OffsetPiece& piece, const Move& move) {
+  return nearly_same(piece.from, piece.to) &&
          (move.kind == MoveKind::Line || half_turn_order(move) < 0);
 }
 
-Move move_along(const OffsetPiece& piece, const Point& from) {
+Move move_along(const OffsetPiece& piece) {
   Move move;
-  move.from = from;
+  move.from = piece.from;
   move.to = piece.to;
   if (!piece.is_line) {
     move.kind = MoveKind::Arc;
@@ -52,20 +62,18 @@ Move move_along(const OffsetPiece& piece, const Point& from) {
   return move;
 }
 
+/// A move begins where the one before ends, also when something invisible between them is left out.
 std::vector<Move> visible_moves(const OffsetLoop& loop) {
   std::vector<Move> moves;
-  Point at = loop.pieces.front().from;
   for (const OffsetPiece& piece : loop.pieces) {
-    Move move = move_along(piece, at);
-    // Nothing of it is lost: the next one begins at the same coordinates as written.
-    if (is_invisible(move)) continue;
+    Move move = move_along(piece);
+    if (is_invisible(piece, move)) continue;
     // A turn that only an invisible gap keeps from being whole, as a circle that touches itself.
     move.full_circle = same_as_written(move.from, move.to);
-    at = move.to;
+    if (!moves.empty()) move.from = moves.back().to;
     moves.push_back(std::move(move));
   }
   if (moves.empty()) return moves;
-  DGT_CHECK(same_as_written(moves.front().from, moves.back().to));
   moves.back().to = moves.front().from;
   return moves;
 }

@@ -22,7 +22,7 @@ struct EquidistantLoop {
 ///      circle at the lowest point of it. Loops follow each other by the same rule. What counts are
 ///      the coordinates as written.
 ///  (2) Arcs that go on along one circle (within 2^kContactExponent mm) are one arc, and what is
-///  too short to be seen in the coordinates as written is left out.
+///      shorter than a few units in the last place of its coordinates is left out.
 ///  (3) Moves that follow each other share their point.
 [[nodiscard]] std::vector<EquidistantLoop> in_order(std::vector<OffsetLoop> loops);
 
