@@ -54,9 +54,13 @@ Dialect linuxcnc() {
   d.torch_off = "M08";
   d.torch_on_codes = {"M7", "53"};
   d.torch_off_codes = {"M8", "54"};
-  d.own_torch_codes = {"M3", "M4", "M5"};
+  d.own_torch_on_codes = {"M3", "M4"};
+  d.own_torch_off_codes = {"M5"};
   d.codes = {{"0", "M0"}};
-  d.passed_letters = "MST";
+  // Those its interpreter takes without a further word. M100 to M199 are programs of the user's and
+  // known to it only where they exist.
+  d.known_codes = {{0, 1}, {3, 9}, {19, 19}, {48, 53}, {60, 60}};
+  d.passed_letters = "ST";
   d.writes_feed = true;
   d.needs_feed = true;
   d.writes_height = true;
@@ -84,6 +88,29 @@ bool is_number_below(const std::string& code, int limit) {
   return std::stoi(code) < limit;
 }
 
+bool is_m_code_of(const std::vector<CodeRange>& ranges, const std::string& code) {
+  constexpr int kBeyondAll = 1000;
+  if (!code.starts_with('M') || !is_number_below(code.substr(1), kBeyondAll)) return false;
+  const int number = std::stoi(code.substr(1));
+  return std::any_of(ranges.begin(), ranges.end(), [&](const CodeRange& range) {
+    return range.first <= number && number <= range.last;
+  });
+}
+
+bool begins_with_one_of(const std::string& letters, const std::string& code) {
+  return !code.empty() && letters.find(code.front()) != std::string::npos;
+}
+
+TorchAct torch_act_of(const Dialect& dialect, const std::string& code) {
+  if (dialect.torch == TorchPolicy::None) return TorchAct::None;
+  const auto is_one = [&](const auto& codes, const auto& own) {
+    return contains(codes, code) || contains(own, code);
+  };
+  if (is_one(dialect.torch_on_codes, dialect.own_torch_on_codes)) return TorchAct::On;
+  if (is_one(dialect.torch_off_codes, dialect.own_torch_off_codes)) return TorchAct::Off;
+  return TorchAct::None;
+}
+
 }  // namespace
 
 const std::vector<Dialect>& dialects() {
@@ -100,16 +127,20 @@ const Dialect* find_dialect(std::string_view name) {
 CodeMeaning meaning_of(const Dialect& dialect, std::string_view code) {
   using Kind = CodeMeaning::Kind;
   const std::string plain = without_leading_zeros(code);
-  if (contains(dialect.torch_on_codes, plain)) return {Kind::TorchOn, dialect.torch_on, true};
-  if (contains(dialect.torch_off_codes, plain)) return {Kind::TorchOff, dialect.torch_off, true};
-  if (plain == "M2" || plain == "M30") return {Kind::End, "", false};
+  if (plain == "M2" || plain == "M30") return {Kind::End, "", TorchAct::None};
+  const TorchAct torch = torch_act_of(dialect, plain);
+  if (is_m_code_of(dialect.user_codes, plain))
+    return {Kind::Words, dialect.form == Form::Essi ? plain.substr(1) : plain, torch};
+  if (contains(dialect.torch_on_codes, plain)) return {Kind::Words, dialect.torch_on, torch};
+  if (contains(dialect.torch_off_codes, plain)) return {Kind::Words, dialect.torch_off, torch};
   for (const CodeWord& word : dialect.codes)
-    if (word.code == plain) return {Kind::Words, word.words, false};
-  if (is_number_below(plain, dialect.passed_numbers_below)) return {Kind::Words, plain, false};
-  if (!plain.empty() && dialect.dropped_letters.find(plain.front()) != std::string::npos)
-    return {Kind::Dropped, "", false};
-  if (!plain.empty() && dialect.passed_letters.find(plain.front()) != std::string::npos)
-    return {Kind::Words, plain, contains(dialect.own_torch_codes, plain)};
+    if (word.code == plain) return {Kind::Words, word.words, torch};
+  if (is_m_code_of(dialect.known_codes, plain) ||
+      is_number_below(plain, dialect.passed_numbers_below))
+    return {Kind::Words, plain, torch};
+  if (begins_with_one_of(dialect.dropped_letters, plain))
+    return {Kind::Dropped, "", TorchAct::None};
+  if (begins_with_one_of(dialect.passed_letters, plain)) return {Kind::Words, plain, torch};
   return {};
 }
 

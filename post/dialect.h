@@ -21,7 +21,8 @@ enum class ArcForm : std::uint8_t {
 enum class TorchPolicy : std::uint8_t {
   Automatic,  ///< on before the first cut, off before a rapid and at the end; a program that says
               ///< torch codes itself is left alone
-  Program     ///< only what the program says
+  Program,    ///< only what the program says
+  None        ///< the machine has no torch: torch codes are codes like any other
 };
 enum class DwellUnit : std::uint8_t { Seconds, Milliseconds };
 
@@ -29,6 +30,12 @@ enum class DwellUnit : std::uint8_t { Seconds, Milliseconds };
 struct CodeWord {
   std::string code;  ///< as in Move::code without leading zeros: `M7`, `53`
   std::string words;
+};
+
+/// The M codes `first` to `last`.
+struct CodeRange {
+  int first = 0;
+  int last = 0;
 };
 
 struct Dialect {
@@ -55,11 +62,15 @@ struct Dialect {
   std::string torch_off;
   std::vector<std::string> torch_on_codes;   ///< written as torch_on
   std::vector<std::string> torch_off_codes;  ///< written as torch_off
-  std::vector<std::string> own_torch_codes;  ///< written as they are, but torch codes all the same
-  std::vector<CodeWord> codes;               ///< further codes that are translated
-  std::string passed_letters;                ///< codes that begin so are written as they are
-  int passed_numbers_below = 0;              ///< codes without a letter, written as they are
-  std::string dropped_letters;               ///< taken from the control's settings: one note
+  /// Written as they are, but torch codes all the same.
+  std::vector<std::string> own_torch_on_codes;
+  std::vector<std::string> own_torch_off_codes;
+  std::vector<CodeWord> codes;         ///< further codes that are translated
+  std::vector<CodeRange> known_codes;  ///< M codes of the control, written as they are
+  std::vector<CodeRange> user_codes;   ///< likewise, by a setting; ESSI gets the number alone
+  std::string passed_letters;          ///< other codes that begin so are written as they are
+  int passed_numbers_below = 0;        ///< codes without a letter, written as they are
+  std::string dropped_letters;         ///< taken from the control's settings: one note
 
   bool writes_feed = false;     ///< false: F comes from the control's settings, one note
   bool needs_feed = false;      ///< a feed must be said before the first cut
@@ -75,19 +86,20 @@ struct Dialect {
 /// Null when there is none of that name.
 [[nodiscard]] const Dialect* find_dialect(std::string_view name);
 
+/// What a code of the program does to the torch.
+enum class TorchAct : std::uint8_t { None, On, Off };
+
 /// What a dialect makes of a code of the program.
 struct CodeMeaning {
   enum class Kind : std::uint8_t {
-    Words,     ///< write `words`
-    TorchOn,   ///< write `words`
-    TorchOff,  ///< write `words`
-    End,       ///< M2, M30: nothing may follow; the writer ends programs itself
-    Dropped,   ///< taken from the control's settings
+    Words,    ///< write `words`
+    End,      ///< M2, M30: nothing may follow; the writer ends programs itself
+    Dropped,  ///< taken from the control's settings
     Unknown
   };
   Kind kind = Kind::Unknown;
   std::string words;
-  bool torch = false;  ///< a torch code: the program switches its torch itself
+  TorchAct torch = TorchAct::None;
 };
 [[nodiscard]] CodeMeaning meaning_of(const Dialect& dialect, std::string_view code);
 

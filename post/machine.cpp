@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <utility>
 #include <vector>
 
@@ -69,40 +70,72 @@ bool set_arc_degrees(Dialect& d, std::string_view text) {
   return value.has_value();
 }
 
+/// `M21` or `21` as 21; in ESSI what is above 100 would call a subprogram.
+std::optional<int> code_number(std::string_view text, Form form) {
+  if (!text.empty() && (text.front() == 'M' || text.front() == 'm')) text.remove_prefix(1);
+  const int most = form == Form::Essi ? 100 : 999;
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && number >= 0 && number <= most ? std::optional(number) : std::nullopt;
+}
+
+/// Codes and ranges between blanks or commas.
+bool set_user_codes(Dialect& d, std::string_view text) {
+  std::vector<CodeRange> codes;
+  constexpr std::string_view kBetween = " ,";
+  for (std::size_t at = text.find_first_not_of(kBetween); at != std::string_view::npos;
+       at = text.find_first_not_of(kBetween, at)) {
+    const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const std::size_t dash = word.find('-');
+    const auto first = code_number(word.substr(0, dash), d.form);
+    const auto last =
+        dash == std::string_view::npos ? first : code_number(word.substr(dash + 1), d.form);
+    if (!first || !last || *first > *last) return false;
+    codes.push_back({*first, *last});
+    at = end;
+  }
+  d.user_codes = std::move(codes);
+  return true;
+}
+
 struct Rule {
   SettingKey key;
   bool (*apply)(Dialect&, std::string_view);
 };
 
 constexpr std::array kRules{
-    Rule{{"unit", "0.000001…100 (mm)"}, set_unit},
+    Rule{{"unit", "0.000001…100 mm"}, set_unit},
     Rule{{"decimals", "0…6"}, set_decimals},
-    Rule{{"feed", "0.001…1000000 (mm/min)"},
+    Rule{{"feed", "0.001…1000000 mm/min"},
          [](Dialect& d, std::string_view text) { return set_feed(d.feed, text); }},
-    Rule{{"default_feed", "0.001…1000000 (mm/min)"},
+    Rule{{"default_feed", "0.001…1000000 mm/min"},
          [](Dialect& d, std::string_view text) {
            RationalPtr feed;
            if (!set_feed(feed, text)) return false;
            d.default_feed = *feed;
            return true;
          }},
-    Rule{{"torch", "auto|program"},
+    Rule{{"torch", "auto|program|none"},
          [](Dialect& d, std::string_view text) {
-           return choose<TorchPolicy>(
-               d.torch, text,
-               {{"auto", TorchPolicy::Automatic}, {"program", TorchPolicy::Program}});
+           return choose<TorchPolicy>(d.torch, text,
+                                      {{"auto", TorchPolicy::Automatic},
+                                       {"program", TorchPolicy::Program},
+                                       {"none", TorchPolicy::None}});
          }},
-    Rule{{"torch_on", "words"},
+    Rule{{"torch_on", "\"M3 S1\""},
          [](Dialect& d, std::string_view text) { return set_words(d.torch_on, text); }},
-    Rule{{"torch_off", "words"},
+    Rule{{"torch_off", "\"M5\""},
          [](Dialect& d, std::string_view text) { return set_words(d.torch_off, text); }},
+    Rule{{"pass_codes", "\"M21 M100-M199\""}, set_user_codes},
     Rule{{"dwell_unit", "s|ms"},
          [](Dialect& d, std::string_view text) {
            return choose<DwellUnit>(d.dwell_unit, text,
                                     {{"s", DwellUnit::Seconds}, {"ms", DwellUnit::Milliseconds}});
          }},
-    Rule{{"max_arc_degrees", "10…180 (radius form: 10…150)"}, set_arc_degrees},
-    Rule{{"radius_mismatch", "0…1 (mm)"},
+    Rule{{"max_arc_degrees", "10…180° (R: 10…150°)"}, set_arc_degrees},
+    Rule{{"radius_mismatch", "0…1 mm"},
          [](Dialect& d, std::string_view text) {
            const auto value = number(text, 0, 1);
            if (value) d.radius_mismatch = *value;
@@ -143,7 +176,7 @@ std::span<const SettingKey> dialect_settings() { return kKeys; }
 tl::expected<Setting, SettingFault> parse_setting(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    return tl::unexpected(SettingFault{Kind::NoValue, std::string(text), "", "", "key=value"});
+    return tl::unexpected(SettingFault{Kind::NoValue, std::string(text), "", "", ""});
   return Setting{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }
 
@@ -151,13 +184,20 @@ tl::expected<Dialect, SettingFault> with_setting(Dialect dialect, const Setting&
   for (const Rule& rule : kRules) {
     if (rule.key.key != setting.key) continue;
     if (rule.apply(dialect, setting.value)) return dialect;
-    return tl::unexpected(SettingFault{Kind::BadValue, setting.key, setting.value, "",
-                                       std::string(rule.key.expected)});
+    return tl::unexpected(bad_value(rule.key, setting.value));
   }
   std::vector<std::string_view> known;
   for (const SettingKey& key : kKeys) known.push_back(key.key);
-  return tl::unexpected(SettingFault{Kind::UnknownKey, setting.key, setting.value,
-                                     std::string(nearest_key(setting.key, known)), ""});
+  return tl::unexpected(unknown_key(setting, known));
+}
+
+SettingFault bad_value(const SettingKey& key, std::string_view value) {
+  return {Kind::BadValue, std::string(key.key), std::string(value), "", std::string(key.expected)};
+}
+
+SettingFault unknown_key(const Setting& setting, std::span<const std::string_view> known) {
+  return {Kind::UnknownKey, setting.key, setting.value,
+          std::string(nearest_key(setting.key, known)), ""};
 }
 
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,7 +9,7 @@
 
 #include "post/dialect.h"
 
-/// Settings of a machine that change its dialect: `key=value`.
+/// Settings of a machine that change its dialect: `key=value`. All keys stand in README.md.
 namespace dgt {
 
 struct Setting {
@@ -26,14 +27,16 @@ struct SettingFault {
   std::string key;
   std::string value;
   std::string nearest;
-  std::string expected;  ///< `0.0001…100`, `auto|program`
+  std::string expected;  ///< `0.0001…100 mm`, `auto|program|none`
 };
 
-/// One key of a dialect. `expected` is what its values look like, for messages and for help.
+/// One key. `expected` is what its values look like, in no language in particular: for messages,
+/// for help and for README.md.
 struct SettingKey {
   std::string_view key;
   std::string_view expected;
 };
+/// The keys of a dialect.
 [[nodiscard]] std::span<const SettingKey> dialect_settings();
 
 /// Splits `key=value` at the first `=`.
@@ -42,6 +45,12 @@ struct SettingKey {
 /// The dialect with one setting changed.
 [[nodiscard]] tl::expected<Dialect, SettingFault> with_setting(Dialect dialect,
                                                                const Setting& setting);
+
+/// The fault of a value that `key` does not take.
+[[nodiscard]] SettingFault bad_value(const SettingKey& key, std::string_view value);
+/// The fault of a key that is none of `known`.
+[[nodiscard]] SettingFault unknown_key(const Setting& setting,
+                                       std::span<const std::string_view> known);
 
 /// The known key with the least edit distance from `key`; of equals the one that begins
 /// most like it, then the first. Empty for no keys.

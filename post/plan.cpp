@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "post/arc_pieces.h"
 
@@ -83,10 +84,27 @@ class Planner {
   void decide_torch() {
     switches_torch_ = dialect_.torch == TorchPolicy::Automatic;
     for (const Move& m : path_.moves)
-      if (m.kind == MoveKind::Code && meaning_of(dialect_, m.code).torch) switches_torch_ = false;
+      if (m.kind == MoveKind::Code && meaning_of(dialect_, m.code).torch != TorchAct::None)
+        switches_torch_ = false;
+  }
+
+  /// The program's own code does it.
+  void hear(TorchAct torch) {
+    if (torch == TorchAct::Off) put_out_by_ = move_;
+    if (torch == TorchAct::On) put_out_by_.reset();
+  }
+
+  /// Each code that puts the torch out before a cut is told once, at the code.
+  void note_if_out() {
+    if (!put_out_by_) return;
+    const Move& code = path_.moves[*put_out_by_];
+    plan_.report.notes.push_back(
+        {NoteKind::CutsWithTorchOff, *put_out_by_, code.source, code.code});
+    put_out_by_.reset();
   }
 
   void switch_torch(bool on) {
+    if (on) note_if_out();
     if (!switches_torch_ || on == torch_is_on_) return;
     torch_is_on_ = on;
     emit_words(on ? dialect_.torch_on : dialect_.torch_off);
@@ -126,6 +144,7 @@ class Planner {
 
   void write_code(const std::string& code) {
     const CodeMeaning meaning = meaning_of(dialect_, code);
+    hear(meaning.torch);
     switch (meaning.kind) {
       case CodeMeaning::Kind::Unknown:
         return fault(FaultKind::UnknownCode, code);
@@ -268,6 +287,7 @@ class Planner {
   bool height_known_ = false;
   bool switches_torch_ = false;
   bool torch_is_on_ = false;
+  std::optional<std::size_t> put_out_by_;  // the program's own code
   bool ended_ = false;
 
   double deviation_ = 0;  // these in units

@@ -31,11 +31,13 @@ struct WriteNote {
     FeedDropped,    ///< the control takes the feed from its settings
     PowerDropped,   ///< likewise S
     FeedDefaulted,  ///< the control needs a feed, the program says none: `value` mm/min was written
+    CutsWithTorchOff,  ///< cuts follow the code `value`, which put the torch out, and no code
+                       ///< between lights it again: a warning
   };
   Kind kind;
   std::size_t move = 0;  ///< the first one concerned
   SourcePlace place;
-  std::string value;  ///< of FeedDefaulted
+  std::string value;  ///< of FeedDefaulted, CutsWithTorchOff
 };
 
 struct WriteReport {

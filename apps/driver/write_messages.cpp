@@ -52,6 +52,8 @@ Diagnostic diagnostic_of(const WriteNote& note, const Dialect& dialect, Range ra
       return {Message::FeedDropped, range, {dialect.name}};
     case WriteNote::Kind::PowerDropped:
       return {Message::PowerDropped, range, {dialect.name}};
+    case WriteNote::Kind::CutsWithTorchOff:
+      return {Message::CutsWithTorchOff, range, {note.value}};
     case WriteNote::Kind::FeedDefaulted:
       break;
   }

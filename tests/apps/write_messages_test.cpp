@@ -29,6 +29,18 @@ std::string told(const std::string& program, const std::string& dialect_name) {
   return lines;
 }
 
+/// The same as it is shown, without the name of the folder.
+std::string rendered(const std::string& program, const std::string& dialect_name,
+                     Language language = Language::English) {
+  const support::TemporaryFolder folder;
+  const auto made = compile_file(folder.write("part.bgt", program), {});
+  EXPECT_FALSE(made->bag.has_errors()) << render(made->bag);
+  const Dialect& dialect = *find_dialect(dialect_name);
+  const std::string shown =
+      render(explain(write(*made->result.path, dialect), dialect, *made), {language});
+  return shown.substr(std::min(shown.find("part.bgt"), shown.size()));
+}
+
 /// Feed, power, a pause, a code, a height: each at a place of its own.
 constexpr const char* kEverything =
     "P1=X10 Y0\n"
@@ -36,7 +48,7 @@ constexpr const char* kEverything =
     "F100\n"
     "S5\n"
     "K1 P1 T2 P2\n"
-    "M99\n"
+    "M60\n"
     "K2 P1 Z5 P2\n";
 
 TEST(WriterMessages, WhatTheDialectSaysNeedsNone) {
@@ -47,10 +59,32 @@ TEST(WriterMessages, NameTheDialectAtThePlaceInTheSource) {
   EXPECT_EQ(
       told(kEverything, "essi"),
       "5:7 the dialect essi has no dwell; T cannot be written [DGT0803]\n"
-      "6:1 'M99' means nothing in the dialect essi [DGT0801]\n"
+      "6:1 'M60' means nothing in the dialect essi [DGT0801]\n"
       "7:10 the dialect essi has no heights; Z cannot be written [DGT0802]\n"
       "4:1 the dialect essi does not write S; the control takes it from its settings [DGT0807]\n"
       "5:4 the dialect essi writes no feed; the control takes it from its settings [DGT0806]\n");
+}
+
+TEST(WriterMessages, ACodeThatTheInterpreterOfLinuxcncDoesNotKnow) {
+  EXPECT_EQ(told("P1=X10 Y0\nF1\nK1 P1 M107 X20 Y0\n", "linuxcnc"),
+            "3:7 'M107' means nothing in the dialect linuxcnc [DGT0801]\n");
+}
+
+TEST(WriterMessages, ATorchPutOutBeforeACutIsTold) {
+  EXPECT_EQ(rendered("L1=X0\nL2=Y0\nP1=X5 Y-9\nG54 X-9 Y9\nK1 M7, L1 L-2 M8 P1\n", "essi"),
+            "part.bgt:5:15: warning: after M8 the program cuts on with the torch off; a code "
+            "written behind an element acts before that element is cut [DGT0809]\n"
+            "K1 M7, L1 L-2 M8 P1\n"
+            "              ^\n");
+  EXPECT_EQ(rendered("K1 X0 Y0 M8 X9 Y0\n", "plasmatic", Language::Russian),
+            "part.bgt:1:10: warning: после M8 программа режет дальше с выключенным резаком; "
+            "команда, записанная после элемента, выполняется до прохода по нему [DGT0809]\n"
+            "K1 X0 Y0 M8 X9 Y0\n"
+            "         ^\n");
+}
+
+TEST(WriterMessages, ATorchPutOutBehindTheLastCutIsNot) {
+  EXPECT_EQ(told("K1 M7 X1 Y0 X9 Y0 M8\nG0 X0 Y0\n", "essi"), "");
 }
 
 TEST(WriterMessages, AFeedThatIsMissingIsTold) {

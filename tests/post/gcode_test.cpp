@@ -81,6 +81,80 @@ TEST(LinuxcncText, AbsoluteWithARapidToTheStart) {
             "G00 X0.000 Y0.000\nM02\n");
 }
 
+TEST(LinuxcncText, OnlyCodesThatItsInterpreterKnowsPass) {
+  // What `rs274` of LinuxCNC 2.9 accepts of M0 to M210 alone on its line, but for M2 and M30, and
+  // for those that save its state or end a subprogram (M70 to M73, M99).
+  const std::vector<int> known = {0, 1, 3, 4, 5, 6, 7, 8, 9, 19, 48, 49, 50, 51, 52, 53, 60};
+  for (int number = 0; number <= 210; ++number) {
+    if (number == 2 || number == 30) continue;
+    const bool passes = std::find(known.begin(), known.end(), number) != known.end();
+    EXPECT_EQ(meaning_of(linuxcnc(), "M" + std::to_string(number)).kind,
+              passes ? CodeMeaning::Kind::Words : CodeMeaning::Kind::Unknown)
+        << "M" << number;
+  }
+}
+
+TEST(PlasmaticText, OnlyCodesOfTheGuidePass) {
+  const std::vector<int> known = {0, 3, 4, 5, 7, 8};
+  for (int number = 0; number <= 210; ++number) {
+    if (number == 2 || number == 30) continue;
+    const bool passes = std::find(known.begin(), known.end(), number) != known.end();
+    EXPECT_EQ(meaning_of(plasmatic(), "M" + std::to_string(number)).kind,
+              passes ? CodeMeaning::Kind::Words : CodeMeaning::Kind::Unknown)
+        << "M" << number;
+  }
+}
+
+// --- cuts after the program's own torch-off code
+
+std::vector<std::size_t> put_out_before_a_cut(const PathBuilder& p, const Dialect& d) {
+  std::vector<std::size_t> moves;
+  for (const WriteNote& note : write(p.path(), d).report.notes)
+    if (note.kind == WriteNote::Kind::CutsWithTorchOff) moves.push_back(note.move);
+  return moves;
+}
+
+using Moves = std::vector<std::size_t>;
+
+TEST(TorchOffCode, CutsBehindItAreNotedOnceAtTheCode) {
+  PathBuilder p;
+  p.feed("1").code("M7").line("1", "0").code("M8").line("2", "0").line("3", "0");
+  EXPECT_EQ(put_out_before_a_cut(p, plasmatic()), Moves{2});
+  EXPECT_EQ(put_out_before_a_cut(p, linuxcnc()), Moves{2});
+  EXPECT_EQ(put_out_before_a_cut(p, *find_dialect("essi")), Moves{2});
+}
+
+TEST(TorchOffCode, EachThatIsFollowedByACutIsNoted) {
+  PathBuilder p;
+  p.feed("1").code("M8").line("1", "0").code("M7").line("2", "0").code("M5").line("3", "0");
+  EXPECT_EQ(put_out_before_a_cut(p, linuxcnc()), (Moves{0, 4}));
+}
+
+TEST(TorchOffCode, RapidsAfterItAndANewTorchOnAreAsItShouldBe) {
+  PathBuilder p;
+  p.feed("1").code("M7").line("1", "0").code("M8").rapid("2", "0").code("M3").line("3", "0");
+  p.code("M5");
+  EXPECT_EQ(put_out_before_a_cut(p, linuxcnc()), Moves{});
+  EXPECT_EQ(put_out_before_a_cut(PathBuilder().feed("1").line("1", "0"), linuxcnc()), Moves{});
+}
+
+TEST(TorchOffCode, ACutThatRoundsToNothingDoesNotCount) {
+  PathBuilder p;
+  p.code("M7").line("1", "0").code("M8").line("1.01", "0").rapid("0", "0");
+  EXPECT_EQ(put_out_before_a_cut(p, plasmatic()), Moves{});
+}
+
+TEST(TorchOffCode, WithoutATorchThereIsNothingToNote) {
+  Dialect d = linuxcnc();
+  d.torch = TorchPolicy::None;
+  PathBuilder p;
+  p.feed("1").code("M7").line("1", "0").code("M8").line("2", "0");
+  EXPECT_EQ(put_out_before_a_cut(p, d), Moves{});
+  EXPECT_EQ(text(p, d),
+            "G21 G90 G17 G40 G91.1\nG00 X0.000 Y0.000\nM07\nG01 X1.000 Y0.000 F1\nM08\n"
+            "G01 X2.000 Y0.000\nM02\n");
+}
+
 TEST(LinuxcncText, AMissingFeedIsDefaultedWithANote) {
   const WriteResult r = write(PathBuilder().line("1", "0").line("2", "0").path(), linuxcnc());
   EXPECT_EQ(r.text,
@@ -161,7 +235,7 @@ TEST(Dialects, AreFoundByName) {
 TEST(Dialects, LeadingZerosOfACodeDoNotMatter) {
   EXPECT_EQ(meaning_of(plasmatic(), "M00").words, "M00");
   EXPECT_EQ(meaning_of(plasmatic(), "M0").words, "M00");
-  EXPECT_EQ(meaning_of(plasmatic(), "M007").kind, CodeMeaning::Kind::TorchOn);
+  EXPECT_EQ(meaning_of(plasmatic(), "M007").torch, TorchAct::On);
   EXPECT_EQ(meaning_of(*find_dialect("essi"), "00").words, "0");
   EXPECT_EQ(meaning_of(*find_dialect("essi"), "").kind, CodeMeaning::Kind::Unknown);
 }
