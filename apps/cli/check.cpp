@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "apps/cli/session.h"
+#include "apps/cli/machine_options.h"
 #include "apps/cli/verbs.h"
 #include "apps/driver/fixing.h"
 
@@ -26,11 +26,11 @@ void tell(const Repair& repair, const std::string& file, const Console& console)
 
 /// What fix-its leave of the faults. Standard input comes out on standard output, fixed or not.
 Step<Compilation> fix(const std::string& file, const SourceOptions& options,
-                      const Console& console) {
+                      const SourceSettings& settings, const Console& console) {
   if (const auto known = expect_source(file, options, console); !known) {
     return tl::unexpected(known.error());
   }
-  auto fixing = fix_file(file, options.settings());
+  auto fixing = fix_file(file, settings);
   if (!fixing) return tl::unexpected(report(fixing.error(), console));
   if (!fixing->repairs.empty() || file == kStream) {
     const ExitCode code = write_result(file, fixing->bytes, console);
@@ -42,11 +42,13 @@ Step<Compilation> fix(const std::string& file, const SourceOptions& options,
 }
 
 ExitCode run(const CheckOptions& options, const Console& console) {
+  const auto settings = settle(options.source, console);
+  if (!settings) return settings.error();
   ExitCode worst = ExitCode::Done;
   std::size_t faulty = 0;
   for (const std::string& file : options.files) {
-    const auto made =
-        options.fix ? fix(file, options.source, console) : examine(file, options.source, console);
+    const auto made = options.fix ? fix(file, options.source, settings->source, console)
+                                  : examine(file, options.source, settings->source, console);
     const ExitCode code = !made                    ? made.error()
                           : made->bag.has_errors() ? ExitCode::InputErrors
                                                    : ExitCode::Done;

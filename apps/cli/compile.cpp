@@ -15,7 +15,7 @@ constexpr const char* kList = "list";
 
 struct CompileOptions {
   Request request;
-  MachineOptions machine;
+  std::string post;
 };
 
 /// With four decimals, never below `value`.
@@ -26,19 +26,24 @@ std::string rounded_up(double value) {
 
 ExitCode run(const CompileOptions& options, const Console& console) {
   const Request& request = options.request;
-  if (options.machine.dialect == kList) {
+  if (options.post == kList) {
     return write_result(request.output, names_of_dialects("\n") + "\n", console);
   }
-  const auto dialect = options.machine.chosen(console);
-  if (!dialect) return dialect.error();
-  const auto made = load(request.file, request.source, console);
+  const auto settings = settle(request.source, console, options.post);
+  if (!settings) return settings.error();
+  const Dialect& dialect = settings->dialect;
+  if (dialect.name.empty()) {
+    console.error(Text::NoDialect, {names_of_dialects(", ")});
+    return ExitCode::WrongUsage;
+  }
+  const auto made = load(request.file, request.source, settings->source, console);
   if (!made) return made.error();
-  const WriteResult written = write(*made->result.path, *dialect);
-  console.show(explain(written, *dialect, *made), sources_of(*made));
+  const WriteResult written = write(*made->result.path, dialect);
+  console.show(explain(written, dialect, *made), sources_of(*made));
   if (!written.faults.empty()) return ExitCode::InputErrors;
   const ExitCode code = write_result(request.output, written.text, console);
   if (code == ExitCode::Done) {
-    console.note(Text::Compiled, {dialect->name, std::to_string(written.report.blocks),
+    console.note(Text::Compiled, {dialect.name, std::to_string(written.report.blocks),
                                   rounded_up(written.report.deviation)});
   }
   return code;
@@ -56,9 +61,14 @@ void add_compile(CLI::App& app, Job& job) {
       "and exit code 1.\n\nExample:\n  dgt compile 1P.bgt --post essi -o 1P.ess");
   add_request(*verb, options->request, "The NC program");
   verb->get_option("FILE")->required(false);  // not for the list
-  add_machine_options(*verb, options->machine);
+  verb->add_option("--post", options->post,
+                   "The dialect to write, unless the machine file chooses it, or list to name them "
+                   "all: " +
+                       names_of_dialects(", "))
+      ->option_text("NAME|list")
+      ->group("Machine");
   verb->callback([options, &job] {
-    if (options->request.file.empty() && options->machine.dialect != kList) {
+    if (options->request.file.empty() && options->post != kList) {
       throw CLI::RequiredError("FILE");
     }
     job.run = [options, &job] { return run(*options, job.messages.console()); };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/cli/machine_options.h"
 
-#include "post/machine.h"
+#include <optional>
 
 namespace dgt::cli {
 namespace {
 
-void report(const SettingFault& fault, const Console& console) {
+ExitCode report(const SettingFault& fault, const Console& console) {
   switch (fault.kind) {
     case SettingFault::Kind::NoValue:
       console.error(Text::SettingWithoutValue, {fault.key});
@@ -18,11 +18,24 @@ void report(const SettingFault& fault, const Console& console) {
       console.error(Text::BadSettingValue, {fault.key, fault.value, fault.expected});
       break;
   }
+  return ExitCode::WrongUsage;
+}
+
+Step<std::vector<Setting>> parsed(const std::vector<std::string>& texts, const Console& console) {
+  std::vector<Setting> settings;
+  for (const std::string& text : texts) {
+    auto setting = parse_setting(text);
+    if (!setting) return tl::unexpected(report(setting.error(), console));
+    settings.push_back(*std::move(setting));
+  }
+  return settings;
 }
 
 std::string help_of_settings() {
-  std::string help = "Changes one setting of the dialect; may be given again. Settings:";
-  for (const SettingKey& setting : dialect_settings()) {
+  std::string help =
+      "Changes one setting, whatever the machine file says; may be given again, the later wins. "
+      "Settings:";
+  for (const SettingKey& setting : all_settings()) {
     help.append("\n  ").append(setting.key).append("=").append(setting.expected);
   }
   return help;
@@ -30,28 +43,35 @@ std::string help_of_settings() {
 
 }  // namespace
 
-Step<Dialect> MachineOptions::chosen(const Console& console) const {
-  const Dialect* found = find_dialect(dialect);
-  if (found == nullptr) {
-    console.error(Text::UnknownDialect, {dialect, names_of_dialects(", ")});
+Step<Settings> settle(const SourceOptions& options, const Console& console,
+                      const std::string& post) {
+  SettingSources sources;
+  sources.post = find_dialect(post);
+  if (!post.empty() && sources.post == nullptr) {
+    console.error(Text::UnknownDialect, {post, names_of_dialects(", ")});
     return tl::unexpected(ExitCode::WrongUsage);
   }
-  tl::expected<Dialect, SettingFault> machine = *found;
-  for (const std::string& text : settings) {
-    machine = parse_setting(text).and_then(
-        [&](const Setting& setting) { return with_setting(*machine, setting); });
-    if (machine) continue;
-    report(machine.error(), console);
-    return tl::unexpected(ExitCode::WrongUsage);
+  auto set = parsed(options.machine.settings, console);
+  if (!set) return tl::unexpected(set.error());
+  sources.set = *std::move(set);
+  std::optional<MachineFile> machine;
+  if (!options.machine.file.empty()) {
+    auto read = read_machine_file(options.machine.file);
+    if (!read) return tl::unexpected(report(read.error(), console));
+    sources.machine = &machine.emplace(*std::move(read));
   }
-  return std::move(*machine);
+  auto settings = settle(sources);
+  if (machine) console.show(machine->bag, {machine->file});
+  if (!settings) return tl::unexpected(report(settings.error(), console));
+  if (machine && machine->bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
+  settings->source = options.over(std::move(settings->source));
+  return *std::move(settings);
 }
 
 void add_machine_options(CLI::App& verb, MachineOptions& options) {
-  verb.add_option("--post", options.dialect,
-                  "The dialect to write, or list to name them all: " + names_of_dialects(", "))
-      ->option_text("NAME|list")
-      ->required()
+  verb.add_option("--machine", options.file,
+                  "A machine file: settings as TOML, key = value with words in quotes")
+      ->option_text("FILE")
       ->group("Machine");
   verb.add_option("--set", options.settings, help_of_settings())
       ->option_text("KEY=VALUE")

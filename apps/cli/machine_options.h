@@ -3,22 +3,19 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "apps/cli/session.h"
-#include "post/dialect.h"
+#include "apps/driver/settings.h"
 
 namespace dgt::cli {
 
-/// The control that is written for.
-struct MachineOptions {
-  std::string dialect;
-  std::vector<std::string> settings;  ///< `key=value`, the later one wins
-
-  /// The dialect with its settings; says what is wrong with them.
-  [[nodiscard]] Step<Dialect> chosen(const Console& console) const;
-};
+/// --machine and --set.
 void add_machine_options(CLI::App& verb, MachineOptions& options);
+
+/// What the machine file, --set and the other options come to; tells what is wrong with them.
+/// `post` is the dialect chosen by name; empty: the settings choose it, or nobody.
+[[nodiscard]] Step<Settings> settle(const SourceOptions& options, const Console& console,
+                                    const std::string& post = {});
 
 /// `essi`, `plasmatic` and so on.
 [[nodiscard]] std::string names_of_dialects(std::string_view separator);

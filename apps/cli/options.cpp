@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <map>
 
+#include "apps/cli/machine_options.h"
+
 namespace dgt::cli {
 namespace {
 
@@ -40,15 +42,14 @@ void MessageOptions::finish() const {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-SourceSettings SourceOptions::settings() const {
-  SourceSettings settings;
+SourceSettings SourceOptions::over(SourceSettings settings) const {
   settings.from = from;
   settings.encoding = encoding;
-  settings.evaluate.offset_side = offset_side;
-  settings.evaluate.join_tolerance = parse_decimal(join_tolerance).value();
-  settings.evaluate.gouge = gouge;
   settings.evaluate.encoding = encoding;
-  settings.macro_path = macro_path;
+  if (offset_side) settings.evaluate.offset_side = *offset_side;
+  if (join_tolerance) settings.evaluate.join_tolerance = parse_decimal(*join_tolerance).value();
+  if (gouge) settings.evaluate.gouge = *gouge;
+  settings.macro_path.insert(settings.macro_path.begin(), macro_path.begin(), macro_path.end());
   return settings;
 }
 
@@ -125,6 +126,7 @@ void add_source_options(CLI::App& verb, SourceOptions& options) {
       ->option_text("error|warn")
       ->transform(CLI::CheckedTransformer(kGouges).description(""))
       ->group("Source");
+  add_machine_options(verb, options.machine);
 }
 
 void add_request(CLI::App& verb, Request& request, const std::string& what) {

@@ -25,16 +25,24 @@ struct MessageOptions {
 };
 void add_message_options(CLI::App& verb, MessageOptions& options);
 
+/// Settings of the machine, from a file and one by one.
+struct MachineOptions {
+  std::string file;                   ///< empty: none
+  std::vector<std::string> settings;  ///< `key=value`, the later one wins
+};
+
 /// How the source is read and what the program leaves open.
 struct SourceOptions {
   std::optional<InputLanguage> from;  ///< unset: by the extension
   std::optional<Encoding> encoding;   ///< of all files; unset: as each looks
   std::vector<std::string> macro_path;
-  OffsetSide offset_side = OffsetSide::Auto;
-  std::string join_tolerance = "0.001";  ///< mm, a decimal
-  GougePolicy gouge = GougePolicy::Error;
+  std::optional<OffsetSide> offset_side;      ///< these three unset: by the settings
+  std::optional<std::string> join_tolerance;  ///< mm, a decimal
+  std::optional<GougePolicy> gouge;
+  MachineOptions machine;
 
-  [[nodiscard]] SourceSettings settings() const;
+  /// The settings with what the options say in their place.
+  [[nodiscard]] SourceSettings over(SourceSettings settings) const;
 };
 /// Only the options that say how the text is read.
 void add_reading_options(CLI::App& verb, SourceOptions& options);

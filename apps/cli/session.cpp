@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/cli/session.h"
 
+#include "apps/cli/machine_options.h"
 #include "kernel/check.h"
 
 namespace dgt::cli {
@@ -28,23 +29,30 @@ InputLanguage language_for(const std::string& file, const SourceOptions& options
 }
 
 Step<Compilation> examine(const std::string& file, const SourceOptions& options,
-                          const Console& console) {
+                          const SourceSettings& settings, const Console& console) {
   if (const auto known = expect_source(file, options, console); !known) {
     return tl::unexpected(known.error());
   }
-  auto made = compile_file(file, options.settings());
+  auto made = compile_file(file, settings);
   if (!made) return tl::unexpected(report(made.error(), console));
   console.show(made->bag, sources_of(*made));
   return std::move(*made);
 }
 
 Step<Compilation> load(const std::string& file, const SourceOptions& options,
-                       const Console& console) {
-  auto made = examine(file, options, console);
+                       const SourceSettings& settings, const Console& console) {
+  auto made = examine(file, options, settings, console);
   if (!made) return made;
   if (made->bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
   DGT_CHECK(made->result.path.has_value());
   return made;
+}
+
+Step<Compilation> load(const std::string& file, const SourceOptions& options,
+                       const Console& console) {
+  const auto settings = settle(options, console);
+  if (!settings) return tl::unexpected(settings.error());
+  return load(file, options, settings->source, console);
 }
 
 Step<Toolpath> load_path(const std::string& file, const SourceOptions& options,

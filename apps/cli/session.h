@@ -19,7 +19,7 @@ using Step = tl::expected<T, ExitCode>;
 
 /// Reads and executes a program and shows its diagnostics, errors among them.
 [[nodiscard]] Step<Compilation> examine(const std::string& file, const SourceOptions& options,
-                                        const Console& console);
+                                        const SourceSettings& settings, const Console& console);
 
 /// Wrong usage when `file` is in no known language.
 [[nodiscard]] Step<void> expect_source(const std::string& file, const SourceOptions& options,
@@ -32,6 +32,9 @@ using Step = tl::expected<T, ExitCode>;
 [[nodiscard]] ExitCode report(const FileError& error, const Console& console);
 
 /// Reads and executes a program and shows its diagnostics; it has a tool path then.
+[[nodiscard]] Step<Compilation> load(const std::string& file, const SourceOptions& options,
+                                     const SourceSettings& settings, const Console& console);
+/// Settles the settings first.
 [[nodiscard]] Step<Compilation> load(const std::string& file, const SourceOptions& options,
                                      const Console& console);
 

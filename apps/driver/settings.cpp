@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/driver/settings.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+
+#include "lang/text/reading.h"
+
+namespace dgt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kDialect = "dialect";
+constexpr std::string_view kMacroPath = "macro_path";
+/// Deeper programs are mistakes, and the evaluator goes as deep itself.
+constexpr std::uint64_t kMostDepth = 1000;
+constexpr std::uint64_t kMostWork = 1'000'000'000'000;
+
+template <class T>
+bool set_whole(T& target, std::string_view text, std::uint64_t most) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return false;
+  if (value < 1 || value > most) return false;
+  target = static_cast<T>(value);
+  return true;
+}
+
+bool set_depth(std::uint32_t& depth, std::string_view text) {
+  return set_whole(depth, text, kMostDepth);
+}
+
+bool set_offset_side(Settings& settings, std::string_view text) {
+  OffsetSide& side = settings.source.evaluate.offset_side;
+  if (text == "auto") return side = OffsetSide::Auto, true;
+  if (text == "left") return side = OffsetSide::Left, true;
+  if (text == "right") return side = OffsetSide::Right, true;
+  return false;
+}
+
+bool set_gouge(Settings& settings, std::string_view text) {
+  GougePolicy& gouge = settings.source.evaluate.gouge;
+  if (text == "error") return gouge = GougePolicy::Error, true;
+  if (text == "warn") return gouge = GougePolicy::Warn, true;
+  return false;
+}
+
+bool set_join_tolerance(Settings& settings, std::string_view text) {
+  auto value = parse_decimal(text);
+  if (!value || sgn(*value) < 0) return false;
+  settings.source.evaluate.join_tolerance = *std::move(value);
+  return true;
+}
+
+/// Folders between colons, as in PATH.
+bool set_macro_path(Settings& settings, std::string_view text) {
+  std::vector<std::string>& folders = settings.source.macro_path;
+  folders.clear();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(':'), text.size());
+    if (end > 0) folders.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
+}
+
+struct Rule {
+  SettingKey key;
+  bool (*apply)(Settings&, std::string_view);
+};
+
+constexpr std::array kRules{
+    Rule{{kDialect, "essi|plasmatic|linuxcnc"},
+         [](Settings&, std::string_view text) { return find_dialect(text) != nullptr; }},
+    Rule{{"offset_side", "auto|left|right"}, set_offset_side},
+    Rule{{"join_tolerance", "≥ 0 mm"}, set_join_tolerance},
+    Rule{{"gouge", "error|warn"}, set_gouge},
+    Rule{{kMacroPath, "[\"/a\", \"/b\"], /a:/b"}, set_macro_path},
+    Rule{{"max_statements", "1…1000000000000"},
+         [](Settings& settings, std::string_view text) {
+           return set_whole(settings.source.evaluate.bounds.statements, text, kMostWork);
+         }},
+    Rule{{"max_moves", "1…1000000000000"},
+         [](Settings& settings, std::string_view text) {
+           return set_whole(settings.source.evaluate.bounds.moves, text, kMostWork);
+         }},
+    Rule{{"max_loop_depth", "1…1000"},
+         [](Settings& settings, std::string_view text) {
+           return set_depth(settings.source.evaluate.bounds.loop_depth, text);
+         }},
+    Rule{{"max_macro_depth", "1…1000"},
+         [](Settings& settings, std::string_view text) {
+           return set_depth(settings.source.evaluate.bounds.macro_depth, text);
+         }},
+    Rule{{"max_text_depth", "1…1000"},
+         [](Settings& settings, std::string_view text) {
+           return set_depth(settings.source.evaluate.bounds.text_depth, text);
+         }},
+};
+
+SettingKey key_of(std::string_view name) {
+  return *std::ranges::find(all_settings(), name, &SettingKey::key);
+}
+
+// --- the entries of a machine file
+
+Range range_of(const MachineFile& machine, const TextSpan& span) {
+  return {machine.file.get(), span.begin, span.end};
+}
+
+/// The folders of a machine file are meant from where it lies, whoever reads it.
+void set_folders(Settings& settings, const MachineEntry& entry, const MachineFile& machine) {
+  const fs::path beside = fs::path(machine.file->name()).parent_path();
+  settings.source.macro_path.clear();
+  for (const std::string& folder : entry.values) {
+    if (!folder.empty()) settings.source.macro_path.push_back(beside / folder);
+  }
+}
+
+tl::expected<Settings, SettingFault> with_entry(Settings settings, const MachineEntry& entry,
+                                                const MachineFile& machine) {
+  using Kind = MachineEntry::Kind;
+  const std::string value = entry.values.empty() ? std::string() : entry.values.front();
+  const bool is_one_value = entry.kind == Kind::Text || entry.kind == Kind::Number;
+  if (entry.key == kMacroPath && (entry.kind == Kind::Text || entry.kind == Kind::List)) {
+    set_folders(settings, entry, machine);
+    return settings;
+  }
+  auto changed = with_setting(std::move(settings), {entry.key, value});
+  if (!changed && changed.error().kind == SettingFault::Kind::UnknownKey) return changed;
+  if (!is_one_value || entry.key == kMacroPath) {
+    return tl::unexpected(bad_value(key_of(entry.key), value));
+  }
+  return changed;
+}
+
+Diagnostic diagnostic_of(const SettingFault& fault, const MachineEntry& entry,
+                         const MachineFile& machine) {
+  if (fault.kind == SettingFault::Kind::UnknownKey) {
+    return {
+        Message::UnknownMachineKey, range_of(machine, entry.key_span), {fault.key, fault.nearest}};
+  }
+  const Range value = range_of(machine, entry.value_span);
+  return {Message::BadMachineValue, value, {fault.key, std::string(value.text()), fault.expected}};
+}
+
+/// `unit` and `decimals` set the same; in a file neither is the later one.
+void report_two_units(MachineFile& machine) {
+  const MachineEntry* first = nullptr;
+  for (const MachineEntry& entry : machine.entries) {
+    if (entry.key != "unit" && entry.key != "decimals") continue;
+    if (first != nullptr) {
+      machine.bag.add(
+          {Message::MachineKeyClash, range_of(machine, entry.key_span), {entry.key, first->key}});
+    }
+    first = &entry;
+  }
+}
+
+Settings with_file(Settings settings, MachineFile& machine) {
+  report_two_units(machine);
+  for (const MachineEntry& entry : machine.entries) {
+    auto changed = with_entry(settings, entry, machine);
+    if (changed) {
+      settings = *std::move(changed);
+    } else {
+      machine.bag.add(diagnostic_of(changed.error(), entry, machine));
+    }
+  }
+  machine.bag.sort();
+  return settings;
+}
+
+/// Null when nothing chooses one, or something that is none.
+const Dialect* chosen(const SettingSources& sources) {
+  if (sources.post != nullptr) return sources.post;
+  std::string name;
+  if (sources.machine != nullptr) {
+    for (const MachineEntry& entry : sources.machine->entries) {
+      if (entry.key == kDialect && !entry.values.empty()) name = entry.values.front();
+    }
+  }
+  for (const Setting& setting : sources.set) {
+    if (setting.key == kDialect) name = setting.value;
+  }
+  return find_dialect(name);
+}
+
+}  // namespace
+
+std::span<const SettingKey> all_settings() {
+  static const std::vector<SettingKey> keys = [] {
+    std::vector<SettingKey> all;
+    for (const Rule& rule : kRules) all.push_back(rule.key);
+    all.insert(all.end(), dialect_settings().begin(), dialect_settings().end());
+    return all;
+  }();
+  return keys;
+}
+
+tl::expected<Settings, SettingFault> with_setting(Settings settings, const Setting& setting) {
+  const auto rule = std::ranges::find(kRules, setting.key, [](const Rule& r) { return r.key.key; });
+  if (rule != kRules.end()) {
+    if (rule->apply(settings, setting.value)) return settings;
+    return tl::unexpected(bad_value(rule->key, setting.value));
+  }
+  auto dialect = with_setting(settings.dialect, setting);
+  if (dialect) {
+    settings.dialect = *std::move(dialect);
+    return settings;
+  }
+  if (dialect.error().kind != SettingFault::Kind::UnknownKey)
+    return tl::unexpected(dialect.error());
+  std::vector<std::string_view> known;
+  for (const SettingKey& key : all_settings()) known.push_back(key.key);
+  return tl::unexpected(unknown_key(setting, known));
+}
+
+FileResult<MachineFile> read_machine_file(const std::string& name) {
+  const auto bytes = read_file(name);
+  if (!bytes) return tl::unexpected(bytes.error());
+  MachineFile machine;
+  machine.file = decode_source(name, *bytes, std::nullopt);
+  report_reading(*machine.file, machine.bag);
+  auto entries = read_machine_text(machine.file->text());
+  if (entries) {
+    machine.entries = *std::move(entries);
+    return machine;
+  }
+  const Range range = range_of(machine, entries.error().span);
+  const bool twice = entries.error().kind == MachineSyntaxFault::Kind::KeyTwice;
+  machine.bag.add({twice ? Message::MachineKeyTwice : Message::MachineSyntax,
+                   range,
+                   {std::string(range.text())}});
+  return machine;
+}
+
+tl::expected<Settings, SettingFault> settle(const SettingSources& sources) {
+  Settings settings;
+  if (const Dialect* const dialect = chosen(sources)) settings.dialect = *dialect;
+  if (sources.machine != nullptr) settings = with_file(std::move(settings), *sources.machine);
+  for (const Setting& setting : sources.set) {
+    auto changed = with_setting(std::move(settings), setting);
+    if (!changed) return changed;
+    settings = *std::move(changed);
+  }
+  return settings;
+}
+
+}  // namespace dgt
