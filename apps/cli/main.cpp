@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "apps/cli/help.h"
 #include "apps/cli/verbs.h"
+#include "apps/driver/internal_error.h"
 
 namespace dgt::cli {
 namespace {
@@ -67,12 +71,23 @@ void declare(CLI::App& app, Job& job) {
   add_offset(app, job);
 }
 
-ExitCode run(const Job& job) {
+void report(const FailedRun& error, const Console& console) {
+  std::error_code no_folder;
+  const auto folder = std::filesystem::temp_directory_path(no_folder);
+  const auto saved = save_internal_error(error, no_folder ? "." : folder);
+  if (saved) {
+    console.error(Text::InternalSaved, {error.what, *saved});
+  } else {
+    console.error(Text::Internal, {error.what});
+  }
+}
+
+ExitCode run(const Job& job, const std::vector<std::string>& command_line) {
   ExitCode code = ExitCode::Failure;
   try {
     code = job.run();
   } catch (const std::exception& error) {
-    job.messages.console().error(Text::Internal, {error.what()});
+    report({error.what(), command_line}, job.messages.console());
   }
   job.messages.finish();
   return code;
@@ -90,7 +105,7 @@ ExitCode main(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Done : ExitCode::WrongUsage;
   }
-  return run(job);
+  return run(job, {argv + std::min(argc, 1), argv + argc});
 }
 
 }  // namespace
