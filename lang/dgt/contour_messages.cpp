@@ -3,6 +3,9 @@
 // What the kernel says about a contour, in the user's words: its items become the words they came
 // from.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
 
 #include "lang/dgt/contour_writer.h"
 
@@ -12,45 +15,118 @@ namespace {
 using Fault = ContourFault::Kind;
 using Notice = ContourNotice::Kind;
 
+// What is cut as part, leads left out.
+bool is_part(const Move& move) {
+  return move.cuts() && (move.role == Role::Contour || move.role == Role::Fillet ||
+                         move.role == Role::Chamfer || move.role == Role::Tangent);
+}
+
+// Twice the area that the cut goes round, positive when it goes counter-clockwise; 0 when nobody
+// could say. Plain floating point: the sign is told to a person and decides nothing.
+double signed_area(const std::vector<Move>& moves) {
+  double area = 0;
+  double length = 0;
+  const Move* first = nullptr;
+  for (const Move& move : moves) {
+    if (!is_part(move)) continue;
+    if (first == nullptr) first = &move;
+    const double x0 = move.from.x() - first->from.x();
+    const double y0 = move.from.y() - first->from.y();
+    const double x1 = move.to.x() - first->from.x();
+    const double y1 = move.to.y() - first->from.y();
+    area += x0 * y1 - x1 * y0;
+    length += std::hypot(x1 - x0, y1 - y0);
+    if (move.kind != MoveKind::Arc) continue;
+    const double radius = nearest_double(move.circle().radius());
+    const double sweep = sweep_degrees(move) * std::numbers::pi / 180;
+    area += radius * radius * (sweep - std::sin(sweep));
+    length += std::fabs(radius * sweep);
+  }
+  return std::fabs(area) > 1e-6 * length * length ? area : 0;
+}
+
 class ContourReporter {
  public:
   ContourReporter(const OpenContour& contour, DiagnosticBag& bag) : contour_(contour), bag_(bag) {}
 
   void report(const ContourFault& fault) {
+    if (is_mirrored(fault)) return;
     Diagnostic diagnostic = describe(fault);
     diagnostic.notes = largest_offset(fault.largest_offset);
-    bag_.add(std::move(diagnostic));
+    add(std::move(diagnostic), fault.item);
   }
 
-  void report(const ContourNotice& notice) {
+  void report(const ContourNotice& notice, const BuiltContour& built) {
     const ItemOrigin& origin = contour_.origins[notice.item];
     switch (notice.kind) {
       case Notice::SideChosen:
-        bag_.add({notice.side == Side::Left ? Message::OffsetOnLeft : Message::OffsetOnRight,
-                  origin.range,
-                  {origin.text()}});
+        add({message_of_side(notice.side, built), origin.range, {origin.text()}}, notice.item);
         return;
       case Notice::JoinedGap:
-        bag_.add({Message::GapJoined,
-                  origin.range,
-                  {origin.text(), name(notice.other), millimetres(notice.measure)}});
+        add({Message::GapJoined,
+             origin.range,
+             {origin.text(), name(notice.other), millimetres(notice.measure)}},
+            notice.item);
         return;
       case Notice::Gouge:
-        bag_.add({Message::GougeAllowed, origin.range, gouge_arguments(notice),
-                  largest_offset(notice.largest_offset)});
+        add({Message::GougeAllowed, origin.range, gouge_arguments(notice),
+             largest_offset(notice.largest_offset)},
+            notice.item);
         return;
       case Notice::AgainstDirection:
         break;
     }
     const std::string turned = reversed_word(origin);
-    bag_.add({Message::AgainstDirection,
-              origin.range,
-              {origin.text(), turned},
-              {},
-              FixIt{origin.range, turned, Certainty::Guess}});
+    add({Message::AgainstDirection,
+         origin.range,
+         {origin.text(), turned},
+         {},
+         FixIt{origin.range, turned, Certainty::Guess}},
+        notice.item);
+  }
+
+  /// A contour with an offset that does not close: often a side was forgotten, now and then it is
+  /// meant.
+  void report_open_end(const BuiltContour& built) {
+    const Move* first = nullptr;
+    const Move* last = nullptr;
+    for (const Move& move : built.programmed) {
+      if (!is_part(move)) continue;
+      if (first == nullptr) first = &move;
+      last = &move;
+    }
+    if (first == nullptr) return;
+    const double gap = std::hypot(last->to.x() - first->from.x(), last->to.y() - first->from.y());
+    bag_.add({Message::ContourOpen,
+              contour_.range,
+              {std::string(contour_.range.text()), millimetres(gap)}});
   }
 
  private:
+  void add(Diagnostic diagnostic, std::size_t item) {
+    add_expansion(diagnostic, contour_.origins[item].expansion);
+    bag_.add(std::move(diagnostic));
+  }
+
+  // What misses on the way in misses by as much on the way out.
+  [[nodiscard]] bool is_mirrored(const ContourFault& fault) {
+    if (fault.kind != Fault::NoMeeting) return false;
+    const std::string there = name(fault.item) + " " + name(fault.other);
+    const std::string back = name(fault.other) + " " + name(fault.item);
+    const std::string gap = " " + millimetres(fault.measure);
+    const bool known = missed_.count(back + gap) > 0;
+    missed_.insert(there + gap);
+    return known && there != back;
+  }
+
+  // Of a closed contour inside and outside say more than left and right.
+  static Message message_of_side(Side side, const BuiltContour& built) {
+    const bool left = side == Side::Left;
+    const double area = built.closed ? signed_area(built.programmed) : 0;
+    if (area == 0) return left ? Message::OffsetOnLeft : Message::OffsetOnRight;
+    return left == (area > 0) ? Message::OffsetInside : Message::OffsetOutside;
+  }
+
   [[nodiscard]] std::string name(std::size_t item) const { return contour_.origins[item].text(); }
 
   // Of a fault or notice about a gouge.
@@ -62,7 +138,16 @@ class ContourReporter {
 
   [[nodiscard]] std::vector<Note> largest_offset(const std::optional<Rational>& largest) const {
     if (!largest || sgn(*largest) == 0) return {};
-    return {{Message::LargestOffset, contour_.range, {to_short_decimal(*largest)}}};
+    return {{Message::LargestOffset, range_of_offset(), {to_short_decimal(*largest)}}};
+  }
+
+  // The W, or the K of a contour with U alone.
+  [[nodiscard]] Range range_of_offset() const {
+    for (std::size_t i = 0; i < contour_.items.size(); ++i) {
+      const auto* const offset = std::get_if<OffsetItem>(&contour_.items[i].what);
+      if (offset != nullptr && offset->whole_contour) return contour_.origins[i].range;
+    }
+    return contour_.range;
   }
 
   // The word with its minus put in or taken away, its number as written.
@@ -125,7 +210,11 @@ class ContourReporter {
       case Fault::SideOfNegative:
         return plain(Message::SideOfNegative);
       case Fault::Eaten:
-        return fault.measure > 0 ? one_measured(Message::Eaten) : one(Message::ArcEaten);
+        return fault.measure > 0 ? one_measured(Message::Eaten) : one(Message::EatenToNothing);
+      case Fault::ArcEaten:
+        return one(Message::ArcEaten);
+      case Fault::BlendsOverlap:
+        return one_measured(Message::BlendsOverlap);
       case Fault::ZeroArc:
         return one(Message::ZeroArc);
       case Fault::RapidArc:
@@ -139,7 +228,19 @@ class ContourReporter {
       case Fault::ZeroValue:
         break;
     }
-    return one(Message::ZeroValue);
+    const std::size_t blend = blend_of(fault);
+    return {Message::ZeroValue, contour_.origins[blend].range, {name(blend)}};
+  }
+
+  // The fillet or chamfer between the elements of a fault.
+  [[nodiscard]] std::size_t blend_of(const ContourFault& fault) const {
+    for (std::size_t i = fault.item; i < contour_.items.size(); ++i) {
+      const auto& what = contour_.items[i].what;
+      if (std::holds_alternative<FilletItem>(what) || std::holds_alternative<BevelItem>(what)) {
+        return i;
+      }
+    }
+    return fault.item;
   }
 
   // An element that misses the line X or Y beside it is reported with itself.
@@ -156,6 +257,7 @@ class ContourReporter {
 
   const OpenContour& contour_;
   DiagnosticBag& bag_;
+  std::set<std::string, std::less<>> missed_;
 };
 
 }  // namespace
@@ -163,7 +265,9 @@ class ContourReporter {
 void report(const BuiltContour& built, const OpenContour& contour, DiagnosticBag& bag) {
   ContourReporter reporter(contour, bag);
   for (const ContourFault& fault : built.faults) reporter.report(fault);
-  for (const ContourNotice& notice : built.notices) reporter.report(notice);
+  for (const ContourNotice& notice : built.notices) reporter.report(notice, built);
+  const bool cut_to_size = built.side != Side::None && built.faults.empty();
+  if (cut_to_size && !built.closed) reporter.report_open_end(built);
 }
 
 }  // namespace dgt::language

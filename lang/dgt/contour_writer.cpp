@@ -36,6 +36,7 @@ void ContourWriter::start(unsigned id, Range range) {
 void ContourWriter::start_broken(Range range) {
   start(0, range);
   open_->broken = true;
+  open_->has_beginning = false;
 }
 
 void ContourWriter::end() {
@@ -93,7 +94,7 @@ void ContourWriter::take(const std::vector<Item>& items, std::size_t& i) {
 template <class What>
 void ContourWriter::add(What what, const Item& item, const ElementName& name) {
   open_->items.push_back({std::move(what), place_of(item)});
-  open_->origins.push_back({item.range, name});
+  open_->origins.push_back({item.range, name, evaluation_.expansion.current()});
 }
 
 void ContourWriter::take_element(const Item& item) {
@@ -193,14 +194,22 @@ std::optional<int> ContourWriter::g_code(const Item& item) {
   if (!value) return std::nullopt;
   if (*value == 0) return 0;
   if (*value == 54) return 54;
-  evaluation_.bag.add({Message::UnknownG, item.range, {to_short_decimal(*value)}});
+  evaluation_.report({Message::UnknownG, item.range, {to_short_decimal(*value)}});
   return std::nullopt;
 }
 
 std::optional<RationalPoint> ContourWriter::point_behind(const std::vector<Item>& items,
                                                          std::size_t& i) {
-  if (i + 1 == items.size() || items[i + 1].letter != 'P') {
-    evaluation_.bag.add({Message::GWithoutPoint, items[i].range, {to_text(items[i])}});
+  const char next = i + 1 == items.size() ? '\0' : items[i + 1].letter;
+  if (next == 'X' || next == 'Y') {
+    const std::string lacking(1, next == 'X' ? 'Y' : 'X');
+    evaluation_.report(
+        {Message::GLacksCoordinate, items[i + 1].range, {to_text(items[i]), lacking}});
+    ++i;
+    return std::nullopt;
+  }
+  if (next != 'P') {
+    evaluation_.report({Message::GWithoutPoint, items[i].range, {to_text(items[i])}});
     return std::nullopt;
   }
   ++i;
@@ -213,11 +222,11 @@ std::optional<Rational> ContourWriter::word_value(const Item& item) {
   std::optional<Rational> value = evaluation_.value(item);
   if (!value) return std::nullopt;
   if (sgn(*value) < 0 && item.letter != 'S') {
-    evaluation_.bag.add({Message::NegativeWord, item.range, {std::string(1, item.letter)}});
+    evaluation_.report({Message::NegativeWord, item.range, {std::string(1, item.letter)}});
     return std::nullopt;
   }
   if (item.letter == 'M' && value->get_den() != 1) {
-    evaluation_.bag.add({Message::CodeNotWhole, item.range, {to_short_decimal(*value)}});
+    evaluation_.report({Message::CodeNotWhole, item.range, {to_short_decimal(*value)}});
     return std::nullopt;
   }
   return value;
@@ -229,8 +238,9 @@ std::string ContourWriter::code_of(const Item& item, const Rational& value) {
 
 bool ContourWriter::are_words(const std::vector<Item>& items) {
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool point_of_g = items[i].letter == 'P' && i > 0 && items[i - 1].letter == 'G';
-    if (!is_word(items[i].letter) && !point_of_g) return false;
+    const bool is_place = std::string_view("PXY").find(items[i].letter) != std::string_view::npos;
+    const bool behind_g = i > 0 && items[i - 1].letter == 'G';
+    if (!is_word(items[i].letter) && !(is_place && behind_g)) return false;
   }
   return true;
 }
@@ -260,7 +270,11 @@ void ContourWriter::act(const std::vector<Item>& words) {
 void ContourWriter::act_on_g(const std::vector<Item>& items, std::size_t& i) {
   const Item& item = items[i];
   const std::optional<int> code = g_code(item);
-  const std::optional<RationalPoint> to = code ? point_behind(items, i) : std::nullopt;
+  if (!code) {
+    while (i + 1 < items.size() && !is_word(items[i + 1].letter)) ++i;
+    return;
+  }
+  const std::optional<RationalPoint> to = point_behind(items, i);
   if (!to) return;
   if (*code == 0) return travel_to(*to, Role::Position, item);
   if (state_.moved) return travel_to(*to, Role::Thread, item);
@@ -305,7 +319,7 @@ void ContourWriter::check_limit(std::size_t moves, const Range& range) {
   const std::uint64_t limit = evaluation_.options.bounds.moves;
   if (moves <= limit || over_limit_) return;
   over_limit_ = true;
-  evaluation_.bag.add({Message::TooManyMoves, range, {std::to_string(limit)}});
+  evaluation_.report({Message::TooManyMoves, range, {std::to_string(limit)}});
 }
 
 Toolpath ContourWriter::finish() {

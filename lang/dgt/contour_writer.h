@@ -15,6 +15,7 @@ namespace dgt::language {
 struct ItemOrigin {
   Range range;
   ElementName name;  ///< number < 0: no element with a number
+  ExpansionPtr expansion;
 
   [[nodiscard]] std::string text() const {
     return name.number < 0 ? std::string(range.text()) : to_text(name);
@@ -28,6 +29,7 @@ struct OpenContour {
   std::vector<ContourItem> items;
   std::vector<ItemOrigin> origins;  ///< one for each item
   bool broken = false;              ///< a fault has been reported; nothing is built
+  bool has_beginning = true;        ///< a K began it
 };
 
 /// Tells the faults and notices of a built contour in the user's words.
@@ -52,6 +54,8 @@ class ContourWriter {
   /// A contour whose beginning is missing: its lines are read, and nothing is built.
   void start_broken(Range range);
   void take(const std::vector<Item>& items);
+  /// Whether the open contour was begun by a K.
+  [[nodiscard]] bool has_beginning() const { return open_->has_beginning; }
   void mark_broken() { open_->broken = true; }
   /// Builds the open contour, if there is one.
   void end();

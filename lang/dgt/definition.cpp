@@ -187,13 +187,22 @@ Made make(const Definition& definition, const Operands& operands) {
   return make_frame(operands);
 }
 
+// The operands at fault.
+Range range_of(const Impossible& impossible, const Definition& definition) {
+  if (impossible.why == Impossible::Why::ZeroRadius) {
+    for (const Item& item : definition.operands) {
+      if (item.letter == 'R') return item.range;
+    }
+  }
+  return join(definition.operands.front().range, definition.operands.back().range);
+}
+
 Made evaluate(const Definition& definition, Evaluation& evaluation) {
   Operands operands(definition, evaluation);
   if (!operands.resolve()) return {};
   Made result = make(definition, operands);
   if (const auto* impossible = std::get_if<Impossible>(&result)) {
-    const Range range = join(definition.operands.front().range, definition.operands.back().range);
-    evaluation.bag.add(explain(*impossible, range, operands.names()));
+    evaluation.report(explain(*impossible, range_of(*impossible, definition), operands.names()));
   }
   return result;
 }
@@ -201,10 +210,10 @@ Made evaluate(const Definition& definition, Evaluation& evaluation) {
 void warn_of_clash(const ElementEntry& old, const Item& target, const ElementName& name,
                    Evaluation& evaluation) {
   if (old.state == State::Undefined || !evaluation.is_caller(old.place.file)) return;
-  evaluation.bag.add({Message::ElementClash,
-                      target.range,
-                      {to_text(name)},
-                      {{Message::SetHereBefore, old.place, {to_text(name)}}}});
+  evaluation.report({Message::ElementClash,
+                     target.range,
+                     {to_text(name)},
+                     {{Message::SetHereBefore, old.place, {to_text(name)}}}});
 }
 
 }  // namespace
@@ -214,12 +223,12 @@ void define(const Definition& definition, bool broken, Evaluation& evaluation) {
   const std::optional<ElementName> name = evaluation.name_of(definition.target);
   if (!name) return;
   if (name->reversed) {
-    evaluation.bag.add(
+    evaluation.report(
         {Message::NegativeTarget, definition.target.range, {std::string(1, name->letter)}});
     return;
   }
   if (definition.kind == ElementKind::Frame && name->number == 0) {
-    evaluation.bag.add({Message::WorldFrame, definition.target.range, {}});
+    evaluation.report({Message::WorldFrame, definition.target.range, {}});
     return;
   }
   Made result = broken ? Made{} : evaluate(definition, evaluation);

@@ -4,8 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dgt::language {
+
+namespace {
+
+// A digit too many, too few, or in the place of another, between numbers of which the longer has
+// two digits at least: 1 and 2 are no slip.
+bool is_one_slip_away(std::string_view a, std::string_view b) {
+  if (a.size() < b.size()) std::swap(a, b);
+  if (a.size() < 2 || a.size() > b.size() + 1) return false;
+  const auto [at_a, at_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  if (at_a == a.end()) return false;
+  const auto rest_b = at_b + (a.size() == b.size() ? 1 : 0);
+  return std::equal(at_a + 1, a.end(), rest_b, b.end());
+}
+
+}  // namespace
 
 std::string to_text(const ElementName& name) {
   return fmt::format("{}{}{}", name.letter, name.reversed ? "-" : "", name.number);
@@ -21,13 +37,13 @@ std::optional<ElementName> Evaluation::name_of(const Item& item) {
   if (!number) return std::nullopt;
   const bool negative = sgn(*number) < 0 || (sgn(*number) == 0 && item.number.minus);
   if (number->get_den() != 1 || abs(*number) > kMaxElementNumber) {
-    bag.add({Message::BadElementNumber,
-             item.range,
-             {std::string(1, item.letter), to_short_decimal(*number)}});
+    report({Message::BadElementNumber,
+            item.range,
+            {std::string(1, item.letter), to_short_decimal(*number)}});
     return std::nullopt;
   }
   if (negative && item.letter != 'L' && item.letter != 'C') {
-    bag.add({Message::NothingToReverse, item.range, {std::string(1, item.letter)}});
+    report({Message::NothingToReverse, item.range, {std::string(1, item.letter)}});
     return std::nullopt;
   }
   const int whole = static_cast<int>(number->get_num().get_si());
@@ -39,12 +55,61 @@ const ElementEntry* Evaluation::look_up(const Item& item, const ElementName& nam
   const ElementEntry* entry = elements.find(kind, name.number);
   const bool undefined = entry == nullptr || entry->state == ElementEntry::State::Undefined;
   if (undefined && !names_missing) {
-    bag.add({Message::UndefinedElement,
-             item.range,
-             {to_text(ElementName{name.letter, name.number, false})}});
+    report_undefined(item, name);
     elements.at(kind, name.number).state = ElementEntry::State::Unknown;
   }
   return undefined || entry->state == ElementEntry::State::Unknown ? nullptr : entry;
+}
+
+// With the definition that was meant, where one can be told: the same name later in the program, or
+// a name that is one slip of the finger away.
+void Evaluation::report_undefined(const Item& item, const ElementName& name) {
+  const std::string written = to_text(ElementName{name.letter, name.number, false});
+  Diagnostic fault{Message::UndefinedElement, item.range, {written}};
+  if (std::optional<Note> later = defined_later(name)) {
+    fault.notes.push_back(*std::move(later));
+  } else if (const std::optional<ElementName> similar = similar_name(name)) {
+    const ElementEntry& entry =
+        *elements.find(static_cast<ElementKind>(similar->letter), similar->number);
+    fault.notes.push_back({Message::SimilarName,
+                           entry.place,
+                           {to_text(ElementName{similar->letter, similar->number, false})}});
+    if (!item.number.is_variable()) {
+      fault.fix_it = FixIt{item.range, to_text(*similar), Certainty::Guess};
+    }
+  }
+  report(std::move(fault));
+}
+
+std::optional<Note> Evaluation::defined_later(const ElementName& name) const {
+  for (const Program* const program : running) {
+    for (const Statement& statement : program->statements) {
+      const auto* const definition = std::get_if<Definition>(&statement.body);
+      if (definition == nullptr) continue;
+      const Item& target = definition->target;
+      const bool same = target.letter == name.letter && !target.number.is_absent() &&
+                        !target.number.is_variable() && target.number.whole == name.number;
+      if (same) {
+        const std::string written = to_text(ElementName{name.letter, name.number, false});
+        return Note{Message::DefinedLater, target.range, {written}};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// The one defined element of the kind whose number has a digit more, less or other; nothing when
+// there are several.
+std::optional<ElementName> Evaluation::similar_name(const ElementName& name) const {
+  const std::vector<ElementEntry>& all = elements.all(static_cast<ElementKind>(name.letter));
+  std::optional<ElementName> found;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].state != ElementEntry::State::Defined) continue;
+    if (!is_one_slip_away(std::to_string(name.number), std::to_string(i))) continue;
+    if (found) return std::nullopt;
+    found = ElementName{name.letter, static_cast<int>(i), name.reversed};
+  }
+  return found;
 }
 
 ElementPtr Evaluation::element(const Item& item, const ElementName& name) {
@@ -72,7 +137,7 @@ std::optional<Selector> Evaluation::selector(const Item& item) {
   const std::optional<Rational> number = value(item);
   if (!number) return std::nullopt;
   if (number->get_den() != 1 || *number < 1 || *number > 6) {
-    bag.add({Message::BadSelector, item.range, {to_short_decimal(*number)}});
+    report({Message::BadSelector, item.range, {to_short_decimal(*number)}});
     return std::nullopt;
   }
   static constexpr Selector kSelectors[] = {Selector::I1,       Selector::I2,

@@ -7,6 +7,7 @@
 
 #include "lang/dgt/compile.h"
 #include "lang/dgt/elements.h"
+#include "lang/dgt/expansion.h"
 #include "lang/dgt/syntax.h"
 #include "lang/dgt/variables.h"
 
@@ -39,6 +40,16 @@ class Evaluation {
   /// The files being executed, the program first; definition files it has read stand for it.
   std::vector<const SourceFile*> call_stack;
   std::vector<const SourceFile*> definition_files;
+  /// The programs of `call_stack`.
+  std::vector<const Program*> running;
+  /// What is being executed inside what.
+  ExpansionStack expansion;
+
+  /// Adds a diagnostic with the notes that say how the program came to its place.
+  void report(Diagnostic diagnostic) {
+    add_expansion(diagnostic, expansion.current());
+    bag.add(std::move(diagnostic));
+  }
 
   [[nodiscard]] std::optional<Rational> value(const Item& item) const {
     return variables.value(item.number);
@@ -56,6 +67,11 @@ class Evaluation {
 
   /// Whether what was last set for `owner` belongs to a caller of the macro being executed.
   [[nodiscard]] bool is_caller(const SourceFile* owner) const;
+
+ private:
+  void report_undefined(const Item& item, const ElementName& name);
+  [[nodiscard]] std::optional<Note> defined_later(const ElementName& name) const;
+  [[nodiscard]] std::optional<ElementName> similar_name(const ElementName& name) const;
 };
 
 /// Executes a definition: the element, or the fault with its message.

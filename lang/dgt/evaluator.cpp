@@ -22,17 +22,22 @@ Toolpath Evaluator::run(const Program& program) {
 }
 
 void Evaluator::execute(const Program& program) {
+  shared_.running.push_back(&program);
   std::vector<Loop> loops;
   for (std::size_t at = 0; at < program.statements.size() && !stopped_;) {
     if (!count_statement(program.statements[at])) break;
     at = step(program, at, loops);
     stopped_ = stopped_ || contours_.is_over_limit();
   }
-  loop_depth_ -= loops.size();
+  for (; !loops.empty(); loops.pop_back()) {
+    shared_.expansion.pop();
+    --loop_depth_;
+  }
+  shared_.running.pop_back();
 }
 
 void Evaluator::stop(Message message, const Range& range, std::uint64_t limit) {
-  bag_.add({message, range, {std::to_string(limit)}});
+  shared_.report({message, range, {std::to_string(limit)}});
   stopped_ = true;
 }
 
@@ -52,8 +57,12 @@ std::size_t Evaluator::step(const Program& program, std::size_t at, std::vector<
   }
   if (std::holds_alternative<LoopEnd>(statement.body)) {
     DGT_CHECK(!loops.empty());
-    if (--loops.back().remaining > 0) return loops.back().begin + 1;
+    if (--loops.back().remaining > 0) {
+      shared_.expansion.next_round();
+      return loops.back().begin + 1;
+    }
     loops.pop_back();
+    shared_.expansion.pop();
     --loop_depth_;
     return at + 1;
   }
@@ -70,6 +79,7 @@ std::size_t Evaluator::enter_loop(const ForLoop& loop, const Statement& statemen
   if (loop_depth_ == limit) stop(Message::LoopsTooDeep, statement.range, limit);
   ++loop_depth_;
   loops.push_back({at, std::move(rounds)});
+  shared_.expansion.push_loop(statement.range);
   return at + 1;
 }
 
@@ -79,7 +89,7 @@ Integer Evaluator::rounds_of(const ForLoop& loop, bool broken) {
   const std::optional<Rational> count = shared_.variables.value(loop.count);
   if (!count) return 1;
   if (count->get_den() == 1 && sgn(*count) >= 0) return count->get_num();
-  bag_.add({Message::BadLoopCount, loop.count_range, {to_short_decimal(*count)}});
+  shared_.report({Message::BadLoopCount, loop.count_range, {to_short_decimal(*count)}});
   return 1;
 }
 
@@ -88,7 +98,7 @@ Integer Evaluator::rounds_of(const ForLoop& loop, bool broken) {
 
 void Evaluator::execute_simple(const Statement& statement) {
   std::visit(Overloaded{[&](const Definition& definition) {
-                          contours_.end();
+                          end_contour(statement.range);
                           define(definition, statement.broken, shared_);
                         },
                         [&](const NumberAssignment& a) { execute(a, statement); },
@@ -103,7 +113,13 @@ void Evaluator::execute_simple(const Statement& statement) {
              statement.body);
 }
 
+void Evaluator::end_contour(const Range& by) {
+  if (contours_.is_open() && contours_.has_beginning()) contour_ended_ = by;
+  contours_.end();
+}
+
 void Evaluator::execute(const ContourStart& start, bool broken) {
+  contour_ended_.reset();
   const std::optional<ElementName> name =
       start.target.letter == 0 ? std::nullopt : shared_.name_of(start.target);
   const Range range = start.target.range;
@@ -122,19 +138,23 @@ void Evaluator::execute(const ItemLine& line, const Statement& statement) {
   }
   const bool words = ContourWriter::are_words(line.items);
   if (words && (!line.has_comma || !contours_.is_open())) {
-    contours_.end();
+    end_contour(statement.range);
     contours_.act(line.items);
     return;
   }
   if (!contours_.is_open()) {
-    if (!line.items.empty()) {
+    const bool is_start = !line.items.empty() && line.items.front().letter == 'G' &&
+                          line.items.front().number.whole == 54;  // what it lacks will be told
+    if (!line.items.empty() && !is_start && !statement.broken) {
       const Range range = line.items.front().range;
-      bag_.add({Message::NoOpenContour, range, {std::string(range.text())}});
+      Diagnostic fault{Message::NoOpenContour, range, {std::string(range.text())}};
+      if (contour_ended_) fault.notes.push_back({Message::ContourEndedHere, *contour_ended_, {}});
+      shared_.report(std::move(fault));
     }
     contours_.start_broken(statement.range);
-  } else if (!line.has_comma) {
+  } else if (!line.has_comma && contours_.has_beginning()) {
     const Range last = line.items.back().range;
-    bag_.add({Message::LineWithoutComma, statement.range, {}, {}, FixIt{behind(last), ","}});
+    shared_.report({Message::LineWithoutComma, statement.range, {}, {}, FixIt{behind(last), ","}});
     contours_.mark_broken();
   }
   contours_.take(line.items);
@@ -142,7 +162,7 @@ void Evaluator::execute(const ItemLine& line, const Statement& statement) {
 
 void Evaluator::execute(const Directive& directive) {
   if (directive.key.text() != "offset-side") {
-    bag_.add({Message::UnknownDirective, directive.key, {std::string(directive.key.text())}});
+    shared_.report({Message::UnknownDirective, directive.key, {std::string(directive.key.text())}});
     return;
   }
   const std::string_view value = directive.value.text();
@@ -152,8 +172,10 @@ void Evaluator::execute(const Directive& directive) {
     contours_.set_offset_side(OffsetSide::Right);
   } else if (value == "auto") {
     contours_.set_offset_side(OffsetSide::Auto);
+  } else if (value.empty()) {
+    shared_.report({Message::OffsetSideLacking, directive.key, {}});
   } else {
-    bag_.add({Message::BadOffsetSide, directive.value, {std::string(value)}});
+    shared_.report({Message::BadOffsetSide, directive.value, {std::string(value)}});
   }
 }
 

@@ -54,6 +54,8 @@ class Evaluator {
   void execute(const ItemLine& line, const Statement& statement);
   void execute(const Directive& directive);
   void stop(Message message, const Range& range, std::uint64_t limit);
+  /// Ends the open contour because of what stands at `by`.
+  void end_contour(const Range& by);
 
   // evaluator_values.cpp
   void execute(const NumberAssignment& assignment, const Statement& statement);
@@ -62,13 +64,17 @@ class Evaluator {
   void execute(const TextAssignment& assignment, bool broken);
   void execute(const SplicedLine& line, const Statement& statement);
   [[nodiscard]] std::optional<int> text_index(const Word& word);
-  [[nodiscard]] bool expand(const std::vector<Word>& words, std::uint32_t depth,
+  void report_division(const NumberAssignment::Term& term);
+  [[nodiscard]] bool holds_itself(const Word& word, int index, const std::vector<int>& path);
+  /// `path`: the texts that `words` stand in, outermost first.
+  [[nodiscard]] bool expand(const std::vector<Word>& words, std::vector<int>& path,
                             std::vector<Word>& out, std::vector<Variables::TextWords>& texts);
 
   // evaluator_files.cpp
   void execute(const MacroCall& call, bool broken);
   void execute(const DefinitionFile& file, bool broken);
   [[nodiscard]] std::shared_ptr<const Program> macro(const Range& name);
+  [[nodiscard]] std::optional<SourceText> load_macro(const Range& name);
   [[nodiscard]] std::shared_ptr<const Program> read(SourceText text);
   void set_arguments(const MacroCall& call);
   void run_definitions(const Program& program);
@@ -84,6 +90,7 @@ class Evaluator {
   std::uint64_t executed_ = 0;
   std::size_t loop_depth_ = 0;
   bool stopped_ = false;
+  std::optional<Range> contour_ended_;  ///< by what, when a contour was open before
 };
 
 }  // namespace dgt::language

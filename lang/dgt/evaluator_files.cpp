@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lang/dgt/evaluator.h"
+#include "lang/dgt/lexer.h"
 #include "lang/dgt/parser.h"
 #include "lang/text/encoding.h"
 
@@ -12,7 +13,11 @@ namespace dgt::language {
 std::shared_ptr<const Program> Evaluator::read(SourceText text) {
   auto file = std::make_shared<const SourceFile>(std::move(text.name), text.bytes,
                                                  shared_.options.encoding);
-  auto program = std::make_shared<const Program>(parse(*file, bag_));
+  DiagnosticBag faults;
+  auto program = std::make_shared<const Program>(parse(*file, faults));
+  for (const Diagnostic& fault : faults.all()) {
+    fault.severity() == Severity::Error ? shared_.report(fault) : bag_.add(fault);
+  }
   files_.push_back(std::move(file));
   programs_.push_back(program);
   return program;
@@ -22,7 +27,7 @@ std::shared_ptr<const Program> Evaluator::read(SourceText text) {
 // ---------------------------------------------------------------------------------------
 
 void Evaluator::execute(const MacroCall& call, bool broken) {
-  contours_.end();
+  end_contour(call.name);
   const std::shared_ptr<const Program> program = broken ? nullptr : macro(call.name);
   if (!program) {
     shared_.names_missing = true;
@@ -33,8 +38,11 @@ void Evaluator::execute(const MacroCall& call, bool broken) {
   const OffsetSide side = contours_.offset_side();
   shared_.call_stack.push_back(program->file);
   set_arguments(call);
+  shared_.expansion.push(Message::InMacro, call.name, std::string(call.name.text()));
   execute(*program);
   contours_.end();
+  contour_ended_.reset();
+  shared_.expansion.pop();
   contours_.set_offset_side(side);  // a directive in a macro is the macro's own
   shared_.call_stack.pop_back();
 }
@@ -44,12 +52,29 @@ std::shared_ptr<const Program> Evaluator::macro(const Range& name) {
   const std::string key = fold_case(name.text());
   const auto known = macros_.find(key);
   if (known != macros_.end() && known->second) return known->second;
-  std::optional<SourceText> text = loader_.load_macro(name.text());
+  std::optional<SourceText> text = load_macro(name);
   if (!text) {
-    bag_.add({Message::NoSuchMacro, name, {std::string(name.text())}});
+    shared_.report({Message::NoSuchMacro, name, {std::string(name.text())}});
     return macros_[key] = nullptr;
   }
-  return macros_[key] = read(*std::move(text));
+  shared_.expansion.push(Message::InMacro, name, std::string(name.text()));
+  macros_[key] = read(*std::move(text));
+  shared_.expansion.pop();
+  return macros_[key];
+}
+
+// A name that was typed in the Russian layout by half is taken for the Latin one, when there is
+// nothing under it as written.
+std::optional<SourceText> Evaluator::load_macro(const Range& name) {
+  const std::string written(name.text());
+  std::optional<SourceText> text = loader_.load_macro(written);
+  const std::string latin = latin_look_alike(written);
+  if (text || latin == written) return text;
+  text = loader_.load_macro(latin);
+  if (text) {
+    shared_.report({Message::LookAlike, name, {written, latin}, {}, FixIt{name, latin}});
+  }
+  return text;
 }
 
 // All arguments are worked out before the first is set, since they may be variables themselves.
@@ -67,18 +92,20 @@ void Evaluator::set_arguments(const MacroCall& call) {
 // -----------------------------------------------------------------------------
 
 void Evaluator::execute(const DefinitionFile& file, bool broken) {
-  contours_.end();
+  end_contour(file.name);
   std::optional<SourceText> text;
   if (!broken && !loader_.has_folder()) {
-    bag_.add({Message::UnsavedProgram, file.name, {}});
+    shared_.report({Message::UnsavedProgram, file.name, {}});
   } else if (!broken) {
     text = loader_.load_definitions(file.name.text());
     if (!text) {
-      bag_.add({Message::NoSuchDefinitionFile, file.name, {std::string(file.name.text())}});
+      shared_.report({Message::NoSuchDefinitionFile, file.name, {std::string(file.name.text())}});
     }
   }
   if (text) {
+    shared_.expansion.push(Message::InDefinitionFile, file.name, std::string(file.name.text()));
     run_definitions(*read(*std::move(text)));
+    shared_.expansion.pop();
   } else {
     shared_.names_missing = true;
   }
@@ -92,7 +119,7 @@ void Evaluator::run_definitions(const Program& program) {
     if (definition != nullptr) {
       define(*definition, statement.broken, shared_);
     } else if (!statement.broken) {
-      bag_.add({Message::NotADefinition, statement.range, {}});
+      shared_.report({Message::NotADefinition, statement.range, {}});
     }
   }
 }

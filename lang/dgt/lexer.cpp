@@ -9,6 +9,7 @@
 
 #include "lang/text/encoding.h"
 #include "lang/text/reading.h"
+#include "lang/text/utf8.h"
 
 namespace dgt::language {
 namespace {
@@ -41,9 +42,40 @@ char latin_for(char32_t c) {
   return '\0';
 }
 
+// The Latin letter on the key of a Cyrillic one, for those that look like no Latin letter.
+char latin_on_key(char32_t c) {
+  static constexpr std::u32string_view kCyrillic = U"ЦГШЩЗФЫПЛДЯЧИЬ";
+  static constexpr std::string_view kLatin = "WUIOPASGKLZXBM";
+  if (c >= U'а' && c <= U'я') c -= U'а' - U'А';
+  const std::size_t at = kCyrillic.find(c);
+  return at == std::u32string_view::npos ? '\0' : kLatin[at];
+}
+
+bool is_cyrillic(char32_t c) { return (c >= U'А' && c <= U'я') || c == U'Ё' || c == U'ё'; }
+
+// Quotes and apostrophes that word processors put in place of the typewriter's.
+char typewriter_sign_for(char32_t c) {
+  if (c == U'«' || c == U'»' || (c >= U'“' && c <= U'‟')) return '"';
+  return c == U'‘' || c == U'’' || c == U'‛' ? '\'' : '\0';
+}
+
 bool is_wide_blank(char32_t c) { return c == 0xA0 || c == 0x2007 || c == 0x202F || c == 0xFEFF; }
 
 }  // namespace
+
+std::string latin_look_alike(std::string_view text) {
+  std::string latin;
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint c = code_point_at(text, at);
+    if (const char letter = latin_for(c.value)) {
+      latin += letter;
+    } else {
+      latin += text.substr(at, c.size);
+    }
+    at += c.size;
+  }
+  return latin;
+}
 
 // A character as the language reads it.
 struct Lexer::Character {
@@ -81,6 +113,7 @@ Lexer::Character Lexer::look(std::uint32_t at) const {
   const CodePoint wide = code_point_at(text_, at);
   if (is_wide_blank(wide.value)) return {' ', wide.size, true};
   if (wide.value == 0x2212 || wide.value == 0x2013) return {'-', wide.size, true};
+  if (const char sign = typewriter_sign_for(wide.value)) return {sign, wide.size, true};
   return {latin_for(wide.value), wide.size, true};
 }
 
@@ -121,7 +154,8 @@ void Lexer::fail(Message message, Range range, std::vector<std::string> argument
 
 void Lexer::report_look_alike(std::uint32_t begin, std::string_view latin) {
   const Range range = from(begin);
-  bag_.add({Message::LookAlike,
+  const bool is_letter = latin.front() >= 'A';
+  bag_.add({is_letter ? Message::LookAlike : Message::TypographicSign,
             range,
             {std::string(range.text()), std::string(latin)},
             {},
@@ -131,6 +165,7 @@ void Lexer::report_look_alike(std::uint32_t begin, std::string_view latin) {
 void Lexer::read_word() {
   const std::uint32_t begin = at_;
   const Character c = look(at_);
+  if (c.foreign && read_unmarked_comment()) return;
   if (c.latin >= 'A' && c.latin <= 'Z') {
     if (!may_begin_keyword(c.latin) || !read_keyword()) read_letter(c);
     return;
@@ -157,13 +192,13 @@ void Lexer::read_word() {
       push(WordKind::Operator, begin).letter = c.latin;
       return;
     case '"':
-      read_quote();
+      read_quote(c);
       return;
     case '\'':
-      read_comment();
+      read_comment(c);
       return;
     default:
-      report_unknown_characters();
+      if (!read_wrong_layout()) report_unknown_characters();
   }
 }
 
@@ -287,6 +322,12 @@ void Lexer::read_decimal(Word& word) {
   word.scale = scale;
   word.digits = count <= Word::kMaxPlainDigits ? static_cast<std::int64_t>(value) : -1;
   word.number_begin = begin;
+  if (byte(at_) == '.') {  // the second one
+    while (is_digit(byte(at_)) || byte(at_) == '.') ++at_;
+    fail(Message::TwoPoints, from(begin), {std::string(from(begin).text())});
+    word.digits = 1;
+    word.scale = 0;
+  }
   word.range.end = at_;
   if (count > kMaxDigits) {
     fail(Message::NumberTooLong, from(begin), {std::to_string(count), std::to_string(kMaxDigits)});
@@ -294,8 +335,10 @@ void Lexer::read_decimal(Word& word) {
   }
 }
 
-void Lexer::read_quote() {
-  const std::uint32_t begin = at_++;
+void Lexer::read_quote(const Character& quote) {
+  const std::uint32_t begin = at_;
+  at_ += quote.size;
+  if (quote.foreign) report_look_alike(begin, "\"");
   push(in_quotes_ ? WordKind::QuoteClose : WordKind::QuoteOpen, begin);
   in_quotes_ = !in_quotes_;
 }
@@ -305,16 +348,60 @@ void Lexer::close_open_quote() {
   for (const Word& word : line_->words) {
     if (word.is(WordKind::QuoteOpen)) open = word.range;
   }
-  fail(Message::UnclosedText, open, {});
+  if (!line_->broken) fail(Message::UnclosedText, open, {});
 }
 
 // Runs to the end of the line; `'@` begins a directive to the compiler.
-void Lexer::read_comment() {
+void Lexer::read_comment(const Character& apostrophe) {
   const std::uint32_t begin = at_;
-  const bool directive = byte(at_ + 1) == '@';
+  at_ += apostrophe.size;
+  if (apostrophe.foreign) report_look_alike(begin, "'");
+  const std::uint32_t text = at_ + 1;
+  const bool directive = byte(at_) == '@';
   at_ = end_;
   if (!directive) return;
-  push(WordKind::Directive, begin).number_begin = begin + 2;
+  push(WordKind::Directive, begin).number_begin = text;
+}
+
+// Three Cyrillic letters side by side are prose: no three letters of the language stand so without
+// a number, but for the keyword MAC.
+bool Lexer::read_unmarked_comment() {
+  std::uint32_t end = at_;
+  std::uint32_t letters = 0;
+  while (end < end_) {
+    const CodePoint c = code_point_at(text_, end);
+    if (!is_cyrillic(c.value)) break;
+    end += c.size;
+    ++letters;
+  }
+  if (letters < 3 || (letters == 3 && fold_case(text_.substr(at_, end - at_)) == "мас"))
+    return false;
+  const std::uint32_t begin = at_;
+  at_ = end;
+  Diagnostic comment{Message::UnmarkedComment, from(begin), {std::string(from(begin).text())}};
+  comment.fix_it = FixIt{{&file_, begin, begin}, "'", Certainty::Guess};
+  line_->broken = true;
+  bag_.add(std::move(comment));
+  at_ = end_;
+  return true;
+}
+
+// A Cyrillic letter that looks like no Latin one was meant for the letter on its key: it is read
+// so, in a line that is broken.
+bool Lexer::read_wrong_layout() {
+  const std::uint32_t begin = at_;
+  const CodePoint c = code_point_at(text_, at_);
+  const char latin = latin_on_key(c.value);
+  if (latin == '\0') return false;
+  at_ += c.size;
+  const std::string meant(1, latin);
+  Diagnostic wrong{Message::WrongLayout, from(begin), {std::string(from(begin).text()), meant}};
+  wrong.fix_it = FixIt{from(begin), meant, Certainty::Guess};
+  line_->broken = true;
+  bag_.add(std::move(wrong));
+  at_ = begin;
+  read_letter({latin, c.size, false});
+  return true;
 }
 
 // One report for a whole run of them, since they come in words. Bytes that were no text have been

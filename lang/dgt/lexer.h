@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "lang/text/diagnostic.h"
 
 namespace dgt::language {
+
+/// `text` with its Cyrillic letters that look like Latin ones replaced by these, upper case.
+[[nodiscard]] std::string latin_look_alike(std::string_view text);
 
 /// Cuts a DGT source into words, line by line, in one pass. Blanks, comments and the case of
 /// letters are gone from what it gives; Cyrillic look-alikes have become Latin letters, each with a
@@ -47,8 +51,10 @@ class Lexer {
   void read_sign_and_number(Word& word);
   void read_decimal(Word& word);
   void read_name();
-  void read_comment();
-  void read_quote();
+  void read_comment(const Character& apostrophe);
+  bool read_unmarked_comment();
+  bool read_wrong_layout();
+  void read_quote(const Character& quote);
   void close_open_quote();
   void report_unknown_characters();
   void report_look_alike(std::uint32_t begin, std::string_view latin);

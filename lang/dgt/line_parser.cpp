@@ -48,6 +48,9 @@ Statement::Body LineParser::parse_body() {
       is_assignment_to(first.letter)) {
     return parse_definition();
   }
+  if (first.is_letter('N') && words_.size() > 1 && !words_[1].is(WordKind::Letter)) {
+    return parse_number_without_equals();
+  }
   return parse_item_line();
 }
 

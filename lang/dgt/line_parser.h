@@ -35,6 +35,7 @@ class LineParser {
   void report_mismatch(const Definition& definition, std::string_view letters);
   // parser_program.cpp: variables, loops, files
   [[nodiscard]] Statement::Body parse_number_assignment();
+  [[nodiscard]] Statement::Body parse_number_without_equals();
   [[nodiscard]] Statement::Body parse_text_assignment();
   [[nodiscard]] Statement::Body parse_for();
   [[nodiscard]] Statement::Body parse_next();
@@ -43,12 +44,17 @@ class LineParser {
   /// `5`, `-5`, `N1`, `-N1`: a number that stands without a letter.
   [[nodiscard]] std::optional<MacroCall::Argument> parse_bare_number();
   void expect_end();
+  /// `,5` directly behind a number. Precondition: there are words before.
+  [[nodiscard]] bool next_is_decimal_comma() const;
 
   // parser_items.cpp
   [[nodiscard]] std::vector<Item> parse_items(std::string_view letters);
   [[nodiscard]] std::optional<Item> parse_item(std::string_view letters);
   [[nodiscard]] bool check_item_number(const Word& word);
+  [[nodiscard]] bool report_letter_for_zero(const Word& word);
   void report_unexpected(const Word& word);
+  void report_number(const Word& word);
+  void report_quote(const Word& word);
   void skip_spoiled_words();
 
   [[nodiscard]] bool at_end() const { return at_ == words_.size(); }
@@ -64,8 +70,13 @@ class LineParser {
   std::size_t at_ = 0;
 };
 
+/// Whether nothing stands between the two.
+[[nodiscard]] inline bool touches(const Word& a, const Word& b) {
+  return a.range.file == b.range.file && a.range.end == b.range.begin;
+}
+
 /// Letters that end an inline point's first half: X and Y side by side become one item.
-/// `any_order`: Y may come first.
+/// `any_order`: Y may come first; behind G it may always.
 void join_coordinates(std::vector<Item>& items, bool any_order);
 
 }  // namespace dgt::language

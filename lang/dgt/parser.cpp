@@ -51,7 +51,11 @@ class FileParser {
     std::vector<Word>& words = line.words;
     // A directive closes its line, and holds for it.
     if (!words.empty() && words.back().is(WordKind::Directive)) {
-      program_.statements.push_back({directive_of(words.back()), words.back().range, false});
+      Directive directive = directive_of(words.back());
+      const bool says_nothing = directive.key.begin == directive.key.end;
+      if (!says_nothing) {
+        program_.statements.push_back({std::move(directive), words.back().range, false});
+      }
       words.pop_back();
     }
     if (words.empty()) return;

@@ -46,10 +46,23 @@ std::optional<MacroCall::Argument> LineParser::parse_bare_number() {
   return argument;
 }
 
+bool LineParser::next_is_decimal_comma() const {
+  return at_ + 1 < words_.size() && word().is(WordKind::Comma) &&
+         words_[at_ + 1].is(WordKind::Number) && words_[at_ - 1].form == NumberForm::Decimal &&
+         touches(words_[at_ - 1], word()) && touches(word(), words_[at_ + 1]);
+}
+
 void LineParser::expect_end() {
   if (at_end()) return;
+  if (next_is_decimal_comma()) {
+    at_ += 2;
+    report_number(words_[at_ - 1]);
+    return expect_end();
+  }
   const Range rest = join(word().range, words_.back().range);
-  fail({Message::ExtraWords, rest, {std::string(rest.text())}});
+  Diagnostic extra{Message::ExtraWords, rest, {std::string(rest.text())}};
+  if (words_.size() - at_ == 1 && next_is(WordKind::Comma)) extra.fix_it = FixIt{rest, ""};
+  fail(std::move(extra));
   at_ = words_.size();
 }
 
@@ -69,6 +82,18 @@ Statement::Body LineParser::parse_number_assignment() {
     ++at_;
   }
   expect_end();
+  return assignment;
+}
+
+// `N1 5`, `N1+5`
+Statement::Body LineParser::parse_number_without_equals() {
+  NumberAssignment assignment;
+  assignment.variable = variable_index(words_[0]);
+  fail({Message::MissingEquals,
+        words_[0].range,
+        {written(words_[0])},
+        {},
+        FixIt{behind(words_[0].range), "="}});
   return assignment;
 }
 

@@ -133,6 +133,35 @@ TEST_F(ContourTest, FilletEatenToExactlyNothing) {
   EXPECT_EQ(only_fault(built).kind, Kind::Eaten);
 }
 
+TEST_F(ContourTest, LineTooShortForTheBlendsAtItsEnds) {
+  // The side is 10 long: legs of 6 and 7 overlap by 3.
+  for (const auto& blend : {chamfer, fillet}) {
+    const auto built =
+        build({along(left), along(bottom), blend("6"), along(right), blend("7"), along(top)},
+              at("5", "5"));
+    const auto fault = only_fault(built);
+    EXPECT_EQ(fault.kind, Kind::BlendsOverlap);
+    EXPECT_EQ(fault.item, 3U);
+    EXPECT_DOUBLE_EQ(fault.measure, 3);
+    EXPECT_FALSE(fault.on_equidistant);
+  }
+}
+
+TEST_F(ContourTest, LineTooShortForABlendAndItsCorner) {
+  const auto built =
+      build({along(left), along(bottom), fillet("12"), along(right), along(top), along(left)},
+            at("5", "5"));
+  EXPECT_EQ(only_fault(built).kind, Kind::BlendsOverlap);
+  EXPECT_EQ(only_fault(built).item, 3U);
+}
+
+TEST_F(ContourTest, LineJustLongEnoughForTheBlendsAtItsEnds) {
+  const auto built =
+      build({along(left), along(bottom), fillet("5"), along(right), fillet("5"), along(top)},
+            at("5", "5"));
+  EXPECT_TRUE(built.faults.empty());
+}
+
 TEST_F(ContourTest, LegTurnedOverByTheOffsetIsEaten) {
   // A slot 3 wide and a tool of radius 2 in it: the bottom leg runs backwards.
   const auto near = minus(vertical("3"));

@@ -102,7 +102,9 @@ TEST(Evaluator, AContourEndsAtADefinitionEvenWithCommas) {
   const CompiledProgram program("K1 X1 Y1\nC1=X0,Y0,R5\nX2 Y2,");
   EXPECT_EQ(program.faults(),
             "t.bgt:3:1: error: 'X2 Y2' belongs in a contour, and no contour is open here "
-            "[DGT0209]\nX2 Y2,\n^~~~~\n");
+            "[DGT0209]\nX2 Y2,\n^~~~~\n"
+            "t.bgt:2:1: note: the contour before ended here [DGT0419]\nC1=X0,Y0,R5\n"
+            "^~~~~~~~~~~\n");
 }
 
 TEST(Evaluator, AContourEndsWithItsMacro) {

@@ -174,9 +174,9 @@ TEST(DgtMessages, ACircleNeedsARadius) {
   EXPECT_EQ(CompiledProgram(R"(C6=X0 Y0 R0
 )")
                 .messages(),
-            R"(t.bgt:1:4: error: the radius of a circle cannot be 0 [DGT0319]
+            R"(t.bgt:1:10: error: the radius of a circle cannot be 0 [DGT0319]
 C6=X0 Y0 R0
-   ^~~~~~~~
+         ^~
 )");
 }
 
@@ -374,9 +374,9 @@ L2=X5
 K8 X1 Y1 L1 R0 L2 L1
 )")
           .messages(),
-      R"(t.bgt:3:10: error: the fillet or chamfer behind L1 must not be 0; a chamfer must be positive [DGT0418]
+      R"(t.bgt:3:13: error: R0 joins nothing: a fillet must not be 0, a chamfer must be greater than 0 [DGT0418]
 K8 X1 Y1 L1 R0 L2 L1
-         ^~
+            ^~
 )");
 }
 
@@ -463,18 +463,12 @@ K1 W0.5 L1 C1 L1 L2
             R"(t.bgt:5:9: error: moved by the offset, L1 and C1 miss each other by 0.9 mm [DGT0501]
 K1 W0.5 L1 C1 L1 L2
         ^~
-t.bgt:5:1: note: with W0.049 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:5:4: note: with W0.049 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W0.5 L1 C1 L1 L2
-^~
+   ^~~~
 t.bgt:5:9: note: the offset lies to the left of L1, where the tool stands before it [DGT0504]
 K1 W0.5 L1 C1 L1 L2
         ^~
-t.bgt:5:12: error: moved by the offset, C1 and L1 miss each other by 0.9 mm [DGT0501]
-K1 W0.5 L1 C1 L1 L2
-           ^~
-t.bgt:5:1: note: with W0.049 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
-K1 W0.5 L1 C1 L1 L2
-^~
 )");
 }
 
@@ -494,15 +488,15 @@ K1 W2.5 L-1 L2 L3 L-4 L-1
 t.bgt:6:13: error: the offset eats L2, which lacks 1 mm [DGT0502]
 K1 W2.5 L-1 L2 L3 L-4 L-1
             ^~
-t.bgt:6:1: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:6:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.5 L-1 L2 L3 L-4 L-1
-^~
+   ^~~~
 t.bgt:6:19: error: the offset eats L-4, which lacks 1 mm [DGT0502]
 K1 W2.5 L-1 L2 L3 L-4 L-1
                   ^~~
-t.bgt:6:1: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:6:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.5 L-1 L2 L3 L-4 L-1
-^~
+   ^~~~
 )");
 }
 
@@ -521,9 +515,9 @@ K1 W3 X-4 Y3 L1 I2 C1 I2 L2 X4 Y3
 t.bgt:5:20: error: the offset eats the arc along C1: its ends pass each other [DGT0511]
 K1 W3 X-4 Y3 L1 I2 C1 I2 L2 X4 Y3
                    ^~
-t.bgt:5:1: note: with W2.172 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:5:4: note: with W2.172 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W3 X-4 Y3 L1 I2 C1 I2 L2 X4 Y3
-^~
+   ^~
 )");
 }
 
@@ -544,15 +538,15 @@ K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
 t.bgt:7:15: error: on its way along L3 the tool cuts 0.2 mm deep into L-4, at X2.1 Y-10 [DGT0508]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
               ^~
-t.bgt:7:1: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:7:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
-^~
+   ^~~~
 t.bgt:7:28: error: on its way along L-4 the tool cuts 0.2 mm deep into L2, at X1.9 Y0 [DGT0508]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
                            ^~~
-t.bgt:7:1: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:7:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
-^~
+   ^~~~
 )");
 }
 
@@ -571,21 +565,21 @@ NEXT
 A-0, L1 C2
 )")
           .messages(),
-      R"(t.bgt:6:7: note: the offset lies to the right of L1, where the tool stands before it [DGT0505]
+      R"(t.bgt:6:7: note: the offset lies inside the closed contour, on the side of L1 where the tool stands before it [DGT0514]
 K1 W2 L1 C2 L-2 C-1
       ^~
 t.bgt:6:10: error: with the offset C2 grows to a full circle; the tool does not fit between its neighbours [DGT0510]
 K1 W2 L1 C2 L-2 C-1
          ^~
-t.bgt:6:1: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:6:4: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2 L1 C2 L-2 C-1
-^~
+   ^~
 t.bgt:9:9: error: with the offset C2 grows to a full circle; the tool does not fit between its neighbours [DGT0510]
 AN1, L1 C2 L-2 C-1
         ^~
-t.bgt:6:1: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:6:4: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2 L1 C2 L-2 C-1
-^~
+   ^~
 )");
 }
 
@@ -602,15 +596,17 @@ K1 L1 I2 L2 L1
 }
 
 TEST(DgtMessages, ALineAgainstItsDirectionIsWarnedOf) {
-  EXPECT_EQ(
-      CompiledProgram(R"(L1=Y0
+  EXPECT_EQ(CompiledProgram(R"(L1=Y0
 L2=X5
 L3=Y10
 G54 X0 Y1
 K1 W1 L1 L2 L3
 )")
-          .messages(),
-      R"(t.bgt:5:7: note: the offset lies to the left of L1, where the tool stands before it [DGT0504]
+                .messages(),
+            R"(t.bgt:5:1: note: K1 is not closed: it ends 10 mm from where it began [DGT0513]
+K1 W1 L1 L2 L3
+^~
+t.bgt:5:7: note: the offset lies to the left of L1, where the tool stands before it [DGT0504]
 K1 W1 L1 L2 L3
       ^~
 t.bgt:5:10: warning: L2 is cut against its direction, with the tool on its other side; L-2 is meant? [DGT0507]
@@ -659,7 +655,7 @@ N3=N1+1
 P1=L1 XN3 Y0
 )")
                 .messages(),
-            R"(t.bgt:1:6: error: N2 is 0 here, and nothing can be divided by it [DGT0601]
+            R"(t.bgt:1:6: error: nothing can be divided by N2=0 [DGT0601]
 N1=5/N2
      ^~
 t.bgt:4:4: error: L1 is surplus for P=XY [DGT0304]
@@ -718,14 +714,13 @@ K2 B5
 }
 
 TEST(DgtMessages, ATextThatHoldsItselfIsStopped) {
-  EXPECT_EQ(
-      CompiledProgram(R"(B1="L1,B2,"
+  EXPECT_EQ(CompiledProgram(R"(B1="L1,B2,"
 B2="B1,"
 K4 B1
 )")
-          .messages(),
-      R"(t.bgt:1:5: error: texts are put into texts more than 100 deep; does one hold itself? [DGT0605]
-B1="L1,B2,"
+                .messages(),
+            R"(t.bgt:2:5: error: B1 holds itself: B1 → B2 → B1 [DGT0614]
+B2="B1,"
     ^~
 )");
 }
@@ -755,6 +750,9 @@ K3 B2
             R"(t.bgt:1:5: error: L1 is not defined here [DGT0308]
 B2="L1 L,"
     ^~
+t.bgt:2:1: note: the text is used here [DGT0607]
+K3 B2
+^~~~~
 t.bgt:1:8: error: 'L' needs a number [DGT0202]
 B2="L1 L,"
        ^
@@ -774,6 +772,9 @@ NEXT
             R"(t.bgt:3:7: error: the number takes more than 65536 bits [DGT0602]
 N1=N1*N1
       ^~
+t.bgt:2:1: note: in round 16 of this loop [DGT0615]
+FOR 40
+^~~~~~
 )");
 }
 
@@ -833,6 +834,9 @@ L2=Y5
             R"(det.bgt:2:1: error: a definition file holds definitions only [DGT0705]
 N1=5
 ^~~~
+t.bgt:1:5: note: in the definition file det, read here [DGT0710]
+OPR det
+    ^~~
 )");
 }
 
@@ -849,6 +853,21 @@ TEST(DgtMessages, AMacroThatCallsItselfIsStopped) {
                       options)
           .messages(),
       R"(M.mac:1:5: error: macros call macros more than 20 deep; does one call itself? [DGT0702]
+MAC M 1,
+    ^
+M.mac:1:5: note: in the macro M, called here [DGT0709]
+MAC M 1,
+    ^
+M.mac:1:5: note: in the macro M, called here [DGT0709]
+MAC M 1,
+    ^
+M.mac:1:5: note: in the macro M, called here [DGT0709]
+MAC M 1,
+    ^
+M.mac:1:5: note: calls, loops and texts not shown here: 16 [DGT0711]
+MAC M 1,
+    ^
+t.bgt:1:5: note: in the macro M, called here [DGT0709]
 MAC M 1,
     ^
 )");
@@ -884,18 +903,27 @@ L11=XN1
 t.bgt:1:1: note: L11 was set here [DGT0708]
 L11=X5
 ^~~
+t.bgt:5:5: note: in the macro KVAD, called here [DGT0709]
+MAC KVAD 10,20,
+    ^~~~
 KVAD.mac:2:1: warning: the macro changes P11 of the program that calls it [DGT0706]
 P11=X5 Y5
 ^~~
 det.bgt:1:1: note: P11 was set here [DGT0708]
 P11=X0 Y0
 ^~~
+t.bgt:5:5: note: in the macro KVAD, called here [DGT0709]
+MAC KVAD 10,20,
+    ^~~~
 KVAD.mac:3:1: warning: the macro changes N2 of the program that calls it [DGT0707]
 N2=N1+1
 ^~~~~~~
 t.bgt:3:1: note: N2 was set here [DGT0708]
 N2=20
 ^~~~~
+t.bgt:5:5: note: in the macro KVAD, called here [DGT0709]
+MAC KVAD 10,20,
+    ^~~~
 )");
 }
 
@@ -913,12 +941,21 @@ P1=L5 L6
             R"(M.mac:1:9: error: the definition lacks Y (L=XYA L=PA) [DGT0303]
 L1=X1 A5
         ^
+t.bgt:2:5: note: in the macro M, called here [DGT0709]
+MAC M 1,
+    ^
 M.mac:2:4: error: L5 is not defined here [DGT0308]
 P1=L5 L6
    ^~
+t.bgt:2:5: note: in the macro M, called here [DGT0709]
+MAC M 1,
+    ^
 M.mac:2:7: error: L6 is not defined here [DGT0308]
 P1=L5 L6
       ^~
+t.bgt:2:5: note: in the macro M, called here [DGT0709]
+MAC M 1,
+    ^
 )");
 }
 
@@ -952,6 +989,9 @@ NEXT
       R"(t.bgt:2:1: error: more than 100 lines were executed; the program was stopped here [DGT0610]
 NEXT
 ^~~~
+t.bgt:1:1: note: in round 100 of this loop [DGT0615]
+FOR 1000000000000
+^~~~~~~~~~~~~~~~~
 )");
 }
 
@@ -968,6 +1008,9 @@ NEXT
             R"(t.bgt:2:1: error: the program makes more than 100 moves [DGT0611]
 G0 X1 Y1
 ^~
+t.bgt:1:1: note: in round 51 of this loop [DGT0615]
+FOR 1000
+^~~~~~~~
 )");
 }
 
@@ -984,14 +1027,16 @@ NEXT
             R"(t.bgt:1:1: error: the program makes more than 100 moves [DGT0611]
 K1 X0 Y1
 ^~
+t.bgt:2:1: note: in round 50 of this loop [DGT0615]
+FOR 1000
+^~~~~~~~
 )");
 }
 
 TEST(DgtMessages, GougesMayBeAllowed) {
   EvaluateOptions options;
   options.gouge = GougePolicy::Warn;
-  EXPECT_EQ(
-      CompiledProgram(R"(L1=X-20
+  EXPECT_EQ(CompiledProgram(R"(L1=X-20
 L2=Y0
 L3=X0
 L4=X4
@@ -999,23 +1044,26 @@ L5=X20
 G54 X-15 Y5
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
 )",
-                      {}, options)
-          .messages(),
-      R"(t.bgt:7:9: note: the offset lies to the left of L1, where the tool stands before it [DGT0504]
+                            {}, options)
+                .messages(),
+            R"(t.bgt:7:1: note: K1 is not closed: it ends 40 mm from where it began [DGT0513]
+K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
+^~
+t.bgt:7:9: note: the offset lies to the left of L1, where the tool stands before it [DGT0504]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
         ^~
 t.bgt:7:15: warning: on its way along L3 the tool cuts 0.2 mm deep into L-4, at X2.1 Y-10 [DGT0509]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
               ^~
-t.bgt:7:1: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:7:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
-^~
+   ^~~~
 t.bgt:7:28: warning: on its way along L-4 the tool cuts 0.2 mm deep into L2, at X1.9 Y0 [DGT0509]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
                            ^~~
-t.bgt:7:1: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:7:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
-^~
+   ^~~~
 )");
 }
 
