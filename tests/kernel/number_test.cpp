@@ -22,6 +22,45 @@ TEST(ParseDecimal, IsExactWhereBinaryIsNot) {
   EXPECT_EQ(Rational(*parse_decimal("0.1") + *parse_decimal("0.2")), *parse_decimal("0.3"));
 }
 
+TEST(ParseDecimal, ShortAndLongNumbersAreInLowestTerms) {
+  for (const char* text : {"0.000000000000000000", "123456789012345678", "0.125", "1.20", "0.00050",
+                           "99999999.9999999999", "0.000000000000000005", "1234567890123456789.5",
+                           "0.0000000000000000000000625"}) {
+    Rational value = parse_decimal(text).value();
+    const Rational as_read = value;
+    value.canonicalize();
+    EXPECT_EQ(as_read.get_num(), value.get_num()) << text;
+    EXPECT_EQ(as_read.get_den(), value.get_den()) << text;
+    // Digit by digit, another way.
+    Rational sum = 0;
+    Rational place = 1;
+    bool after_point = false;
+    for (const char* c = text; *c != '\0'; ++c) {
+      if (*c == '.') {
+        after_point = true;
+      } else if (after_point) {
+        place /= 10;
+        sum += place * (*c - '0');
+      } else {
+        sum = 10 * sum + (*c - '0');
+      }
+    }
+    EXPECT_EQ(value, sum) << text;
+  }
+}
+
+TEST(ParseScientific, ReadsExponentsExactly) {
+  EXPECT_EQ(parse_scientific("2e-5"), Rational(1, 50000));
+  EXPECT_EQ(parse_scientific("-1.5E+3"), Rational(-1500));
+  EXPECT_EQ(parse_scientific("7"), Rational(7));
+  EXPECT_EQ(parse_scientific(".5e0"), Rational(1, 2));
+  EXPECT_EQ(parse_scientific("0e400"), Rational(0));
+  for (const char* text : {"", "e5", "1e", "1e+", "1e+-5", "1e5.0", "1e401", "1e-401", "1 e5",
+                           "1e5 ", "inf", "0x1p3", "1e99999999999"}) {
+    EXPECT_FALSE(parse_scientific(text).has_value()) << '"' << text << '"';
+  }
+}
+
 TEST(ParseDecimal, RefusesWhatIsNoDecimal) {
   for (const char* text : {"", "+", "-", ".", "-.", "1e5", "1,5", "1.2.3", " 1", "1 ", "--1", "x"})
     EXPECT_FALSE(parse_decimal(text).has_value()) << '"' << text << '"';
