@@ -244,6 +244,13 @@ TEST(SettingsTable, NoKeyIsThereTwice) {
   for (const SettingKey& key : all_settings()) EXPECT_TRUE(keys.insert(key.key).second) << key.key;
 }
 
+TEST(SettingsTable, NamesEveryDialect) {
+  std::string names;
+  for (const Dialect& dialect : dialects()) names += (names.empty() ? "" : "|") + dialect.name;
+  EXPECT_EQ(all_settings().front().key, "dialect");
+  EXPECT_EQ(all_settings().front().expected, names);
+}
+
 TEST(MachineExample, TheWireMachineOfTheCorpusIsReadWhole) {
   MachineFile machine = *read_machine_file(support::corpus("machine/wire.toml"));
   const Settings made = *settle({&machine, {}});
