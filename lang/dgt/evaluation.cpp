@@ -66,6 +66,7 @@ const ElementEntry* Evaluation::look_up(const Item& item, const ElementName& nam
 void Evaluation::report_undefined(const Item& item, const ElementName& name) {
   const std::string written = to_text(ElementName{name.letter, name.number, false});
   Diagnostic fault{Message::UndefinedElement, item.range, {written}};
+  if (bag.error_count() > DiagnosticBag::kMaxKept) return report(std::move(fault));  // not shown
   if (std::optional<Note> later = defined_later(name)) {
     fault.notes.push_back(*std::move(later));
   } else if (const std::optional<ElementName> similar = similar_name(name)) {
