@@ -67,7 +67,7 @@ void Evaluation::report_undefined(const Item& item, const ElementName& name) {
   const std::string written = to_text(ElementName{name.letter, name.number, false});
   Diagnostic fault{Message::UndefinedElement, item.range, {written}};
   if (bag.error_count() > DiagnosticBag::kMaxKept) return report(std::move(fault));  // not shown
-  if (std::optional<Note> later = defined_later(name)) {
+  if (std::optional<Note> later = defined_later(item, name)) {
     fault.notes.push_back(*std::move(later));
   } else if (const std::optional<ElementName> similar = similar_name(name)) {
     const ElementEntry& entry =
@@ -82,14 +82,15 @@ void Evaluation::report_undefined(const Item& item, const ElementName& name) {
   report(std::move(fault));
 }
 
-std::optional<Note> Evaluation::defined_later(const ElementName& name) const {
+std::optional<Note> Evaluation::defined_later(const Item& item, const ElementName& name) const {
   for (const Program* const program : running) {
     for (const Statement& statement : program->statements) {
       const auto* const definition = std::get_if<Definition>(&statement.body);
       if (definition == nullptr) continue;
       const Item& target = definition->target;
       const bool same = target.letter == name.letter && !target.number.is_absent() &&
-                        !target.number.is_variable() && target.number.whole == name.number;
+                        !target.number.is_variable() && target.number.whole == name.number &&
+                        !lies_in(item.range, statement.range);
       if (same) {
         const std::string written = to_text(ElementName{name.letter, name.number, false});
         return Note{Message::DefinedLater, target.range, {written}};

@@ -70,7 +70,7 @@ class Evaluation {
 
  private:
   void report_undefined(const Item& item, const ElementName& name);
-  [[nodiscard]] std::optional<Note> defined_later(const ElementName& name) const;
+  [[nodiscard]] std::optional<Note> defined_later(const Item& item, const ElementName& name) const;
   [[nodiscard]] std::optional<ElementName> similar_name(const ElementName& name) const;
 };
 

@@ -105,8 +105,14 @@ void Evaluator::execute_simple(const Statement& statement) {
                         [&](const TextAssignment& a) { execute(a, statement.broken); },
                         [&](const ContourStart& s) { execute(s, statement.broken); },
                         [&](const ItemLine& line) { execute(line, statement); },
-                        [&](const MacroCall& call) { execute(call, statement.broken); },
-                        [&](const DefinitionFile& file) { execute(file, statement.broken); },
+                        [&](const MacroCall& call) {
+                          end_contour(statement.range);
+                          execute(call, statement.broken);
+                        },
+                        [&](const DefinitionFile& file) {
+                          end_contour(statement.range);
+                          execute(file, statement.broken);
+                        },
                         [&](const SplicedLine& line) { execute(line, statement); },
                         [&](const Directive& directive) { execute(directive); },
                         [](const ForLoop&) {}, [](const LoopEnd&) {}},

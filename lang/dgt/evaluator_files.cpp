@@ -27,7 +27,6 @@ std::shared_ptr<const Program> Evaluator::read(SourceText text) {
 // ---------------------------------------------------------------------------------------
 
 void Evaluator::execute(const MacroCall& call, bool broken) {
-  end_contour(call.name);
   const std::shared_ptr<const Program> program = broken ? nullptr : macro(call.name);
   if (!program) {
     shared_.names_missing = true;
@@ -92,7 +91,6 @@ void Evaluator::set_arguments(const MacroCall& call) {
 // -----------------------------------------------------------------------------
 
 void Evaluator::execute(const DefinitionFile& file, bool broken) {
-  end_contour(file.name);
   std::optional<SourceText> text;
   if (!broken && !loader_.has_folder()) {
     shared_.report({Message::UnsavedProgram, file.name, {}});

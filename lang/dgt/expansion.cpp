@@ -10,10 +10,6 @@ namespace {
 constexpr std::size_t kMaxTold = 6;
 constexpr std::size_t kToldInside = 3;
 
-bool lies_in(const Range& inner, const Range& outer) {
-  return inner.file == outer.file && inner.begin >= outer.begin && inner.end <= outer.end;
-}
-
 Note note_of(const Expansion& step) {
   if (step.argument.empty()) return {step.message, step.range, {}};
   return {step.message, step.range, {step.argument}};

@@ -19,6 +19,18 @@ constexpr std::array kMessages = {
 #undef DGT_DIAGNOSTIC
 };
 
+// What a message quotes of the source may be a megabyte without a blank.
+constexpr std::uint32_t kMaxQuoted = 300;
+
+std::string shortened(const std::string& argument) {
+  if (argument.size() <= kMaxQuoted) return argument;
+  std::size_t end = 0;
+  for (std::uint32_t count = 0; count < kMaxQuoted && end < argument.size(); ++count) {
+    end += code_point_at(argument, end).size;
+  }
+  return end < argument.size() ? argument.substr(0, end) + "…" : argument;
+}
+
 }  // namespace
 
 const MessageInfo& info(Message message) { return kMessages.at(static_cast<std::size_t>(message)); }
@@ -27,7 +39,7 @@ std::span<const MessageInfo> all_messages() { return kMessages; }
 
 std::string text(Message message, std::span<const std::string> arguments, Language language) {
   fmt::dynamic_format_arg_store<fmt::format_context> store;
-  for (const std::string& argument : arguments) store.push_back(visible(argument));
+  for (const std::string& argument : arguments) store.push_back(visible(shortened(argument)));
   const MessageInfo& row = info(message);
   return fmt::vformat(language == Language::Russian ? row.russian : row.english, store);
 }

@@ -70,7 +70,8 @@ struct Diagnostic {
   [[nodiscard]] std::string_view code() const { return info(message).code; }
 };
 
-/// The sentence of a message with its arguments filled in, made visible().
+/// The sentence of a message with its arguments filled in, made visible(), cut
+/// after 300 characters.
 [[nodiscard]] std::string text(Message message, std::span<const std::string> arguments, Language);
 
 /// Collects diagnostics. The same message about the same range is kept once, so a fault inside a

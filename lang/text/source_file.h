@@ -83,6 +83,10 @@ struct Range {
 [[nodiscard]] inline Range join(const Range& a, const Range& b) {
   return a.file == b.file && b.end >= a.begin ? Range{a.file, a.begin, b.end} : a;
 }
+/// Whether `inner` is part of `outer`.
+[[nodiscard]] inline bool lies_in(const Range& inner, const Range& outer) {
+  return inner.file == outer.file && inner.begin >= outer.begin && inner.end <= outer.end;
+}
 /// The empty range behind `a`.
 [[nodiscard]] inline Range behind(const Range& a) { return {a.file, a.end, a.end}; }
 

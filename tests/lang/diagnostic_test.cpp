@@ -90,5 +90,13 @@ TEST(DiagnosticBag, SortsByFileAsFirstMetThenByPlace) {
   EXPECT_EQ(bag.all()[2].range, (Range{&macro, 0, 1}));
 }
 
+TEST(Diagnostics, QuoteNoMoreOfTheSourceThanAPersonReads) {
+  std::string word;
+  for (int i = 0; i < 1000; ++i) word += "Ж";
+  const std::vector<std::string> arguments{word};
+  const std::string told = text(Message::UnknownCharacter, arguments, Language::English);
+  EXPECT_EQ(told, "'" + word.substr(0, 600) + "…' has no meaning in the language");
+}
+
 }  // namespace
 }  // namespace dgt
