@@ -57,19 +57,31 @@ kEndBegins = "SET_G5X_OFFSET"
 kCall = re.compile(r"\s*\d+ N\S+\s+(\w+)\((.*)\)\s*$")
 kMotionBlock = re.compile(r"\s*G0?[0-3](?!\d)")
 kTimeout = 120  # seconds
+kTriesAfterCrash = 3
 
 
 def canonical_text(text, program="rs274"):
-    """What the interpreter prints for the program."""
-    with tempfile.TemporaryDirectory() as folder:
-        with open(f"{folder}/part.ngc", "w", encoding="ascii") as file:
-            file.write(text)
-        done = subprocess.run([program, "-g", "part.ngc"], cwd=folder, capture_output=True,
-                              stdin=subprocess.DEVNULL, text=True, check=False, timeout=kTimeout)
+    """What the interpreter prints for the program.
+
+    A run that a signal ended is tried again: interpreters that happen to start together share one
+    segment of memory and may crash on it. What LinuxCNC refuses, it refuses with an exit code.
+    """
+    for _ in range(kTriesAfterCrash):
+        done = run_once(text, program)
+        if done.returncode >= 0:
+            break
     if done.returncode != 0:
         lines = [line for line in done.stderr.splitlines() if line != "executing"]
         raise Refused(f"LinuxCNC: exit {done.returncode}: {' / '.join(lines)}")
     return done.stdout
+
+
+def run_once(text, program):
+    with tempfile.TemporaryDirectory() as folder:
+        with open(f"{folder}/part.ngc", "w", encoding="ascii") as file:
+            file.write(text)
+        return subprocess.run([program, "-g", "part.ngc"], cwd=folder, capture_output=True,
+                              stdin=subprocess.DEVNULL, text=True, check=False, timeout=kTimeout)
 
 
 def numbers(inside):
