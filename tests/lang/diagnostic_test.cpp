@@ -90,7 +90,7 @@ TEST(DiagnosticBag, SortsByFileAsFirstMetThenByPlace) {
   EXPECT_EQ(bag.all()[2].range, (Range{&macro, 0, 1}));
 }
 
-TEST(Diagnostics, QuoteNoMoreOfTheSourceThanAPersonReads) {
+TEST(Messages, QuoteNoMoreOfTheSourceThanAPersonReads) {
   std::string word;
   for (int i = 0; i < 1000; ++i) word += "Ж";
   const std::vector<std::string> arguments{word};
