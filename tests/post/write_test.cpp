@@ -310,7 +310,7 @@ TEST(Write, WholeRadiiAreChosenToFit) {
 TEST(Write, CentresAreChosenToFit) {
   const Quality q = quality("linuxcnc", 60, 110);
   EXPECT_LT(q.deviation, 0.6);  // the nearest centre: 0.67
-  EXPECT_LT(q.pieces, 1.005);  // a few arcs in a thousand are divided
+  EXPECT_LT(q.pieces, 1.005);   // a few arcs in a thousand are divided
   EXPECT_LT(quality("plasmatic", 60, 110).pieces, 1.02);
 }
 
