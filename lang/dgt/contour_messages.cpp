@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "kernel/piece.h"
 #include "lang/dgt/contour_writer.h"
 
 namespace dgt::language {
@@ -19,6 +20,15 @@ using Notice = ContourNotice::Kind;
 bool is_part(const Move& move) {
   return move.cuts() && (move.role == Role::Contour || move.role == Role::Fillet ||
                          move.role == Role::Chamfer || move.role == Role::Tangent);
+}
+
+// In radians, counter-clockwise positive.
+double sweep_of(const Piece& arc) {
+  const double turn = arc.radius > 0 ? 2 * std::numbers::pi : -2 * std::numbers::pi;
+  if (arc.full_circle) return turn;
+  const double sweep =
+      std::atan2(arc.y1 - arc.cy, arc.x1 - arc.cx) - std::atan2(arc.y0 - arc.cy, arc.x0 - arc.cx);
+  return sweep * turn < 0 ? sweep + turn : sweep;
 }
 
 // Twice the area that the cut goes round, positive when it goes counter-clockwise; 0 when nobody
@@ -37,8 +47,9 @@ double signed_area(const std::vector<Move>& moves) {
     area += x0 * y1 - x1 * y0;
     length += std::hypot(x1 - x0, y1 - y0);
     if (move.kind != MoveKind::Arc) continue;
-    const double radius = nearest_double(move.circle().radius());
-    const double sweep = sweep_degrees(move) * std::numbers::pi / 180;
+    const Piece arc = piece_of(move);
+    const double radius = arc.radius;
+    const double sweep = sweep_of(arc);
     area += radius * radius * (sweep - std::sin(sweep));
     length += std::fabs(radius * sweep);
   }
