@@ -131,7 +131,7 @@ struct ContourFault {
     SideOfNegative,   ///< W < 0 with the side left to the program
     Eaten,            ///< the offset eats the element; measure: what is missing
     ArcEaten,         ///< the offset makes the ends of the arc pass each other
-    BlendsOverlap,    ///< the line is too short for the blends at its ends; measure: by how much
+    BlendsOverlap,    ///< the element is too short for the blends at its ends; measure: by how much
     ZeroArc,          ///< an arc that begins and ends at one point
     RapidArc,         ///< an arc while straight moves are rapid (F0)
     OffElement,       ///< D from a point that is not on the line; measure: distance

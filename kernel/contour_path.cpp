@@ -13,10 +13,6 @@ bool goes_nowhere(const Leg& leg, const Point& from, const Point& to) {
   return !leg.full_circle && indistinct(from, to);
 }
 
-bool is_blend(const Leg& leg) {
-  return leg.role == Role::Fillet || leg.role == Role::Chamfer || leg.role == Role::Tangent;
-}
-
 }  // namespace
 
 // Exact: both points lie on the line,
@@ -182,54 +178,6 @@ void Path::check_motion(const Leg& leg, const Move& move) {
     report(std::fabs(before) > 180 ? Kind::Overrun : Kind::ArcEaten, leg.element.item);
 }
 
-/// A blend leaves and enters its elements in their directions. A line that has to be run backwards
-/// from one is too short for it, unless its corners lie that way round too: then the line itself is
-/// turned, which has a notice of its own.
-void Path::check_blends(const Leg& leg, const Move& move) {
-  const auto* line = std::get_if<Line>(leg.element.element.get());
-  if (!line || motion_along(*line, move.from, move.to) >= 0) return;
-  const Leg* const before = beside(leg, -1);
-  const Leg* const after = beside(leg, +1);
-  const bool blended = (before && is_blend(*before)) || (after && is_blend(*after));
-  if (!blended) return;
-  const std::optional<Point> from = corner(leg, leg.from, before, before ? before->from : 0);
-  const std::optional<Point> to = corner(leg, leg.to, after, after ? after->to : 0);
-  if (from && to && motion_along(*line, *from, *to) > 0)
-    report(Kind::BlendsOverlap, leg.element.item, dgt::length(move));
-}
-
-/// The leg before or after, dwells and codes passed over; null where there is none.
-const Leg* Path::beside(const Leg& leg, int step) const {
-  const auto count = static_cast<std::ptrdiff_t>(legs_.legs.size());
-  for (auto i = &leg - legs_.legs.data() + step; i >= 0 && i < count; i += step) {
-    const Leg& found = legs_.legs[static_cast<std::size_t>(i)];
-    if (found.travel != Leg::Travel::Stop) return &found;
-  }
-  return nullptr;
-}
-
-/// Where `leg` would end at its joint `own` were there no blend `next`: the corner of the lines
-/// that the blend joins, `far` being its other joint. Nothing where the leg ends at no element.
-std::optional<Point> Path::corner(const Leg& leg, std::size_t own, const Leg* next,
-                                  std::size_t far) const {
-  if (!next || !is_blend(*next)) {
-    const Joint& joint = legs_.joints[own];
-    if (!std::holds_alternative<CrossJoint>(joint.rule)) return std::nullopt;
-    return joint.programmed;
-  }
-  return std::visit(
-      [&](const auto& rule) -> std::optional<Point> {
-        if constexpr (requires { rule.a; }) {
-          const UsedElement& other = rule.a.element == next->element.element ? rule.b : rule.a;
-          if (!std::holds_alternative<Line>(*other.element)) return std::nullopt;
-          return place_joint({CrossJoint{leg.element, other}, {}}, shifts_, options_).at;
-        } else {
-          return std::nullopt;
-        }
-      },
-      legs_.joints[far].rule);
-}
-
 void Path::report(Kind kind, std::size_t item, double measure) {
   ContourFault f{};
   f.kind = kind;
@@ -237,13 +185,6 @@ void Path::report(Kind kind, std::size_t item, double measure) {
   f.measure = measure;
   f.on_equidistant = equidistant_;
   faults.push_back(f);
-}
-
-/// What is cut as part: without leads and rapids.
-bool is_part(const Move& move) {
-  if (!move.cuts()) return false;
-  return move.role == Role::Contour || move.role == Role::Fillet || move.role == Role::Chamfer ||
-         move.role == Role::Tangent;
 }
 
 /// Whether `p` lies on the stretch that `move` covers. The carrier is decided exactly; along it

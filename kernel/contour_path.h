@@ -37,10 +37,13 @@ class Path {
   [[nodiscard]] bool grows(const Leg& leg) const;
   void emit_stop(const Leg& leg, std::vector<Move>& moves);
   void check_motion(const Leg& leg, const Move& move);
+
+  // contour_overlap.cpp
+  struct LegEnd;
   void check_blends(const Leg& leg, const Move& move);
-  [[nodiscard]] const Leg* beside(const Leg& leg, int step) const;
-  [[nodiscard]] std::optional<Point> corner(const Leg& leg, std::size_t own, const Leg* next,
-                                            std::size_t far) const;
+  [[nodiscard]] LegEnd end_of(const Leg& leg, int way) const;
+  [[nodiscard]] const Leg* beside(const Leg& leg, int way) const;
+
   void report(ContourFault::Kind kind, std::size_t item, double measure = 0);
 
   const ContourLegs& legs_;
@@ -54,8 +57,6 @@ class Path {
 /// Motion along a line from one point of it to another: +1 with its direction, −1 against it, 0:
 /// none.
 [[nodiscard]] int motion_along(const Line& line, const Point& from, const Point& to);
-/// What is cut as part: without leads and rapids.
-[[nodiscard]] bool is_part(const Move& move);
 /// Whether `p` lies on the stretch that `move` covers.
 [[nodiscard]] bool covers(const Move& move, const Point& p);
 

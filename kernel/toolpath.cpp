@@ -152,6 +152,12 @@ std::string contour_text(const Contour& contour) {
 
 }  // namespace
 
+bool is_part(const Move& move) {
+  if (!move.cuts()) return false;
+  return move.role == Role::Contour || move.role == Role::Fillet || move.role == Role::Chamfer ||
+         move.role == Role::Tangent;
+}
+
 int half_turn_order(const Move& arc) {
   if (arc.full_circle) return 1;
   const Circle circle = arc.circle();

@@ -61,6 +61,9 @@ struct Move {
   [[nodiscard]] Circle circle() const { return std::get<Circle>(carrier.element()); }
 };
 
+/// Whether the move cuts the part itself: rapids, approaches and departures do not.
+[[nodiscard]] bool is_part(const Move& move);
+
 enum class Side : std::uint8_t { None, Left, Right };
 
 /// One contour of a program: a stretch of Toolpath::moves and the same without the equidistant.

@@ -16,12 +16,6 @@ namespace {
 using Fault = ContourFault::Kind;
 using Notice = ContourNotice::Kind;
 
-// What is cut as part, leads left out.
-bool is_part(const Move& move) {
-  return move.cuts() && (move.role == Role::Contour || move.role == Role::Fillet ||
-                         move.role == Role::Chamfer || move.role == Role::Tangent);
-}
-
 // In radians, counter-clockwise positive.
 double sweep_of(const Piece& arc) {
   const double turn = arc.radius > 0 ? 2 * std::numbers::pi : -2 * std::numbers::pi;

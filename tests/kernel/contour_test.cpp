@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/kernel/contour_notation.h"
 
@@ -160,6 +161,59 @@ TEST_F(ContourTest, LineJustLongEnoughForTheBlendsAtItsEnds) {
       build({along(left), along(bottom), fillet("5"), along(right), fillet("5"), along(top)},
             at("5", "5"));
   EXPECT_TRUE(built.faults.empty());
+}
+
+TEST_F(ContourTest, LineTooShortForAFilletToACircle) {
+  // The hole begins at x = 12; a fillet r outside it begins at x = 20 − √(64 + 16r).
+  const auto hole = circle("20", "0", "-8");
+  const auto with = [&](const std::string& r) {
+    return build({along(left), along(bottom), fillet(r), along(hole), along(bottom)}, at("5", "5"));
+  };
+  EXPECT_THAT(with("2").faults, IsEmpty());
+  EXPECT_THAT(with("20").faults, IsEmpty());
+  const auto fault = only_fault(with("24"));
+  EXPECT_EQ(fault.kind, Kind::BlendsOverlap);
+  EXPECT_EQ(fault.item, 1U);
+  EXPECT_NEAR(fault.measure, std::sqrt(64. + 16 * 24) - 20, 1e-12);
+}
+
+TEST_F(ContourTest, LineTooShortForAFilletToACircleItDoesNotMeet) {
+  // The circle stays 1 above the line, the fillet reaches it all the same.
+  const auto above = circle("6", "9", "-8");
+  const auto with = [&](const std::string& r) {
+    return build({along(left), along(bottom), fillet(r), along(above), along(top)}, at("5", "5"));
+  };
+  EXPECT_THAT(with("1").faults, IsEmpty());
+  const auto fault = only_fault(with("9"));
+  EXPECT_EQ(fault.kind, Kind::BlendsOverlap);
+  EXPECT_EQ(fault.item, 1U);
+}
+
+TEST_F(ContourTest, ArcTooShortForTheFilletsAtItsEnds) {
+  // A boss of radius 3 at the bottom of a right-angled valley. Fillets r on its flanks begin
+  // √(9 + 6r) up the slopes; they pass each other over the boss once that is less than r.
+  const auto boss = circle("0", "0", "-3");
+  const auto with = [&](const std::string& first, const std::string& second) {
+    return build({to("-20", "20"), along(turned(bottom, "-45")), fillet(first), along(boss),
+                  fillet(second), along(turned(bottom, "45")), to("20", "20")},
+                 at("0", "30"));
+  };
+  EXPECT_THAT(with("7", "7").faults, IsEmpty());
+  EXPECT_THAT(with("1", "20").faults, IsEmpty());
+  const auto fault = only_fault(with("9", "9"));
+  EXPECT_EQ(fault.kind, Kind::BlendsOverlap);
+  EXPECT_EQ(fault.item, 3U);
+  const double slope = std::sqrt(63.);
+  EXPECT_NEAR(fault.measure, 2 * 3 * std::atan((9 - slope) / (9 + slope)), 1e-9);
+}
+
+TEST_F(ContourTest, ArcOfAlmostAFullTurnBetweenFilletsIsNoOverlap) {
+  // Round a hub and out again where it was entered.
+  const auto hub = circle("0", "0", "5");
+  const auto built = build({to("-1", "20"), along(vertical("-1")), fillet("2"), along(hub),
+                            fillet("2"), along(minus(vertical("1"))), to("1", "20")},
+                           at("0", "30"));
+  EXPECT_THAT(built.faults, IsEmpty()) << text(built.faults);
 }
 
 TEST_F(ContourTest, LegTurnedOverByTheOffsetIsEaten) {
