@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "kernel/contour_path.h"
 #include "kernel/gouge.h"
@@ -31,34 +30,51 @@ std::vector<CutPiece> cut_of(const ContourLegs& legs, const std::vector<Move>& m
     if (runs_backwards(leg, moves[i])) continue;
     if (!first) first = &moves[i];
     last = &moves[i];
-    const double reach = nearest_double(abs(legs.steps[leg.element.step]));
-    pieces.push_back({piece_of(moves[i]), reach, leg.element.item});
+    pieces.push_back({stretch_of(moves[i]), abs(legs.steps[leg.element.step]), leg.element.item});
   }
   if (!first || first == last || first->from == last->to) return pieces;
   if (covers(*first, last->to)) {
-    pieces.front().piece.x0 = last->to.x();
-    pieces.front().piece.y0 = last->to.y();
+    pieces.front().stretch.from = last->to;
   } else if (covers(*last, first->from)) {
-    pieces.back().piece.x1 = first->from.x();
-    pieces.back().piece.y1 = first->from.y();
+    pieces.back().stretch.to = first->from;
   }
   return pieces;
 }
 
 /// By how much the steps of `part` are those of `legs` scaled down.
-double scale_of(const ContourLegs& part, const ContourLegs& legs) {
+Rational scale_of(const ContourLegs& part, const ContourLegs& legs) {
   std::size_t i = 0;
   while (sgn(legs.steps[i]) == 0) ++i;
-  return nearest_double(Rational(part.steps[i] / legs.steps[i]));
+  return part.steps[i] / legs.steps[i];
 }
 
 /// Near misses were joined within their tolerance: the tool is nearer by that much there.
-double joined_gap(const BuiltContour& out) {
-  double gap = 0;
+Rational joined_gap(const BuiltContour& out) {
+  double gap = 0;  // its rounding is far below the resolution
   for (const ContourNotice& notice : out.notices) {
     if (notice.kind == ContourNotice::Kind::JoinedGap) gap = std::max(gap, notice.measure);
   }
-  return gap;
+  return Rational(gap);
+}
+
+/// The largest offset with which the tool, on its way between the two items, cuts into neither.
+std::optional<Rational> largest_without(const ContourFault& fault, const ContourLegs& legs,
+                                        int side, const ContourOptions& options,
+                                        const Walls& contour, const Rational& tolerance) {
+  std::vector<CutPiece> named;
+  for (const CutPiece& piece : contour.pieces())
+    if (piece.item == fault.item || piece.item == fault.other) named.push_back(piece);
+  return largest_offset(
+      stretch_of(legs, fault), side, [&](const ContourLegs& part, const Shifts& by) {
+        Path moved(part, by, options, true);
+        const std::vector<Move> moves = moved.run();
+        if (!moved.faults.empty()) return false;
+        std::vector<CutPiece> scaled = named;
+        const Rational scale = scale_of(part, legs);
+        for (CutPiece& piece : scaled) piece.reach *= scale;
+        return find_gouges(cut_of(part, moves, moved.leg_of_move), Walls(scaled, tolerance))
+            .empty();
+      });
 }
 
 }  // namespace
@@ -93,27 +109,18 @@ ContourLegs stretch_of(const ContourLegs& legs, const ContourFault& f) {
 
 void check_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
                   const Path& programmed, const Path& equidistant, BuiltContour& out) {
-  const std::vector<CutPiece> contour = cut_of(legs, out.programmed, programmed.leg_of_move);
+  const Rational tolerance = joined_gap(out);
+  const Walls contour(cut_of(legs, out.programmed, programmed.leg_of_move), tolerance);
   const std::vector<CutPiece> path = cut_of(legs, out.moves, equidistant.leg_of_move);
-  const double tolerance = joined_gap(out);
-  std::vector<Gouge> gouges = find_gouges(path, contour, tolerance);
+  std::vector<Gouge> gouges = find_gouges(path, contour);
   if (gouges.size() > kMaxGouges) gouges.resize(kMaxGouges);
   if (!gouges.empty() && options.gouge == GougePolicy::Error) out.faults.clear();
   for (const Gouge& gouge : gouges) {
     ContourFault fault{};
     fault.kind = ContourFault::Kind::Gouge;
     fault.item = path[gouge.path].item;
-    fault.other = contour[gouge.programmed].item;
-    const auto keeps_away = [&](const ContourLegs& part, const Shifts& by) {
-      Path moved(part, by, options, true);
-      const std::vector<Move> moves = moved.run();
-      if (!moved.faults.empty()) return false;
-      CutPiece other = contour[gouge.programmed];
-      other.reach *= scale_of(part, legs);
-      const std::vector<CutPiece> cut = cut_of(part, moves, moved.leg_of_move);
-      return find_gouges(cut, {other}, tolerance).empty();
-    };
-    fault.largest_offset = largest_offset(stretch_of(legs, fault), side, keeps_away);
+    fault.other = contour.pieces()[gouge.programmed].item;
+    fault.largest_offset = largest_without(fault, legs, side, options, contour, tolerance);
     fault.measure = gouge.depth;
     fault.on_equidistant = true;
     fault.x = gouge.x;

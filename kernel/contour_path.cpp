@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/stretch.h"
+
 namespace dgt {
 namespace {
 
@@ -114,22 +116,24 @@ void Path::emit(const Leg& leg, std::vector<Move>& moves) {
   const Point& to = points_[leg.to];
   const bool along = leg.travel == Leg::Travel::Along;
   const bool on_line = !along || std::holds_alternative<Line>(*leg.element.element);
-  if (goes_nowhere(leg, stands_, to)) {
-    if (!on_line) report(grows(leg) ? Kind::Overrun : Kind::ZeroArc, leg.element.item);
+  // An arc whose ends come together by growing has become a full turn: the tool just fits.
+  const bool full_turn = !on_line && goes_nowhere(leg, stands_, to) && grows(leg);
+  if (goes_nowhere(leg, stands_, to) && !full_turn) {
+    if (!on_line) report(Kind::ZeroArc, leg.element.item);
     return;
   }
   Move& move = moves.emplace_back();
   move.kind = leg.rapid ? MoveKind::Rapid : on_line ? MoveKind::Line : MoveKind::Arc;
   move.role = leg.role;
-  move.full_circle = leg.full_circle;
+  move.full_circle = leg.full_circle || full_turn;
   move.from = stands_;
-  move.to = to;
+  move.to = full_turn ? stands_ : to;
   if (along) move.carrier = {leg.element.element, shifts_[leg.element.step]};
   move.z = leg.z;
   move.feed = leg.feed;
   move.source = leg.place;
   if (along) check_motion(leg, move);
-  stands_ = to;
+  stands_ = move.to;
   leg_of_move.push_back(static_cast<std::size_t>(&leg - legs_.legs.data()));
 }
 
@@ -154,7 +158,7 @@ void Path::emit_stop(const Leg& leg, std::vector<Move>& moves) {
 /// The offset may turn a leg over: then it has eaten it, although all joints exist.
 void Path::check_motion(const Leg& leg, const Move& move) {
   if (!equidistant_) return check_blends(leg, move);
-  if (leg.full_circle) return;
+  if (move.full_circle) return;
   const Point& from = legs_.joints[leg.from].programmed;
   const Point& to = legs_.joints[leg.to].programmed;
   if (const auto* line = std::get_if<Line>(leg.element.element.get())) {
@@ -187,19 +191,8 @@ void Path::report(Kind kind, std::size_t item, double measure) {
   faults.push_back(f);
 }
 
-/// Whether `p` lies on the stretch that `move` covers. The carrier is decided exactly; along it
-/// doubles order points whose exact positions they round.
 bool covers(const Move& move, const Point& p) {
-  if (!move.carrier.base || !lies_on(move.carrier.element(), p)) return false;
-  if (move.kind == MoveKind::Line) {
-    const auto between = [](double a, double b, double x) {
-      return std::min(a, b) <= x && x <= std::max(a, b);
-    };
-    return between(move.from.x(), move.to.x(), p.x()) && between(move.from.y(), move.to.y(), p.y());
-  }
-  const Circle circle = move.circle();
-  return move.full_circle || std::fabs(coarse_sweep(circle, move.from, p)) <=
-                                 std::fabs(coarse_sweep(circle, move.from, move.to));
+  return move.carrier.base && lies_on(move.carrier.element(), p) && covers(stretch_of(move), p);
 }
 
 }  // namespace dgt

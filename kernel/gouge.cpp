@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/gouge.h"
 
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -11,60 +10,78 @@ namespace {
 std::vector<Box> boxes_of(const std::vector<CutPiece>& pieces) {
   std::vector<Box> boxes;
   boxes.reserve(pieces.size());
-  for (const CutPiece& p : pieces) boxes.push_back(box_of(p.piece));
+  for (const CutPiece& p : pieces) boxes.push_back(box_around(p.stretch));
   return boxes;
-}
-
-/// The size of the largest coordinate: rounding errors are a fraction of it.
-double largest(const Box& box) {
-  return std::max(
-      {std::fabs(box.min_x), std::fabs(box.min_y), std::fabs(box.max_x), std::fabs(box.max_y)});
 }
 
 }  // namespace
 
-double gouge_depth(const CutPiece& path, const CutPiece& programmed, Approach& where) {
-  const double reach = std::min(path.reach, programmed.reach);
-  if (reach == 0) return 0;
-  where = nearest(path.piece, programmed.piece);
-  return reach - where.distance;
+const Rational& gouge_resolution() {
+  static const Rational value(1, 100'000'000);
+  return value;
 }
 
-std::vector<Gouge> find_gouges(const std::vector<CutPiece>& path,
-                               const std::vector<CutPiece>& programmed, double tolerance) {
-  const std::vector<Box> path_boxes = boxes_of(path);
-  std::vector<Box> programmed_boxes = boxes_of(programmed);
-  double size = 0;
-  for (const Box& box : path_boxes) size = std::max(size, largest(box));
-  // Above 10⁸ mm the rounding of the measures themselves outgrows the resolution.
-  const double allowed = std::max(kGougeResolution, size * 0x1p-44) + tolerance;
-  const BoxTree tree(std::move(programmed_boxes));
+Walls::Walls(std::vector<CutPiece> programmed, Rational tolerance)
+    : pieces_(std::move(programmed)),
+      allowed_(gouge_resolution() + tolerance),
+      tree_(boxes_of(pieces_)) {
+  gauges_.reserve(pieces_.size());
+  for (const CutPiece& piece : pieces_) gauges_.push_back(gauge_of(piece));
+  for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_of_.emplace_back(pieces_[i].item, i);
+  std::sort(pieces_of_.begin(), pieces_of_.end());
+}
 
-  std::map<std::size_t, std::vector<std::size_t>> programmed_of;  // item → stretches; on demand
-  const auto meant = [&](std::size_t item, const Piece& other) {
-    if (programmed_of.empty()) {
-      for (std::size_t j = 0; j < programmed.size(); ++j)
-        programmed_of[programmed[j].item].push_back(j);
-    }
-    const auto own = programmed_of.find(item);
-    return own != programmed_of.end() &&
-           std::any_of(own->second.begin(), own->second.end(), [&](std::size_t j) {
-             return cross_inside(programmed[j].piece, other, kGougeResolution);
-           });
-  };
+bool Walls::meant(std::size_t item, std::size_t wall) const {
+  const auto first = std::lower_bound(pieces_of_.begin(), pieces_of_.end(), std::pair(item, 0UL));
+  for (auto own = first; own != pieces_of_.end() && own->first == item; ++own)
+    if (!crossings_inside(pieces_[own->second].stretch, pieces_[wall].stretch).empty()) return true;
+  return false;
+}
 
+Walls::Gauge Walls::gauge_of(const CutPiece& piece) const {
+  Gauge gauge{balls_of(piece.stretch), piece.reach - allowed_, {}};
+  gauge.kept_ball = Ball(gauge.kept);
+  return gauge;
+}
+
+bool Walls::too_near(const CutPiece& path, const Gauge& gauge, std::size_t wall) const {
+  const Gauge& other = gauges_[wall];
+  const Gauge& less = gauge.kept < other.kept ? gauge : other;
+  if (sgn(less.kept) <= 0) return false;
+  if (const auto certain = stages::filtered_nearer(gauge.balls, other.balls, less.kept_ball))
+    return *certain;
+  return comes_nearer(path.stretch, pieces_[wall].stretch, less.kept);
+}
+
+void Walls::cut_by(const CutPiece& path, const std::function<void(std::size_t)>& visit) const {
+  if (sgn(path.reach) == 0) return;
+  const Gauge gauge = gauge_of(path);
+  const double reach = nearest_double(path.reach);  // the boxes have room for its rounding
+  tree_.overlapping(gauge.balls.box.grown(reach), [&](std::size_t i) {
+    if (too_near(path, gauge, i) && !meant(path.item, i)) visit(i);
+  });
+}
+
+bool Walls::any_cut_by(const CutPiece& path) const {
+  bool found = false;
+  cut_by(path, [&](std::size_t) { found = true; });
+  return found;
+}
+
+std::vector<Gouge> find_gouges(const std::vector<CutPiece>& path, const Walls& walls) {
   std::vector<Gouge> gouges;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;  // items → index
   for (std::size_t i = 0; i < path.size(); ++i) {
-    tree.overlapping(path_boxes[i].grown(path[i].reach), [&](std::size_t j) {
-      Approach where;
-      const double depth = gouge_depth(path[i], programmed[j], where);
-      if (depth <= allowed || meant(path[i].item, programmed[j].piece)) return;
-      const auto pair = std::minmax(path[i].item, programmed[j].item);
+    walls.cut_by(path[i], [&](std::size_t j) {
+      const CutPiece& wall = walls.pieces()[j];
+      const Approach near = nearest(piece_of(path[i].stretch), piece_of(wall.stretch));
+      const double reach = nearest_double(std::min(path[i].reach, wall.reach));
+      const double depth = reach - near.distance;
+      const auto pair = std::minmax(path[i].item, wall.item);
       const auto [at, fresh] = known.try_emplace(pair, gouges.size());
       if (fresh) gouges.emplace_back();
       Gouge& g = gouges[at->second];
-      if (depth > g.depth) g = {i, j, depth, where.x, where.y};
+      if (fresh || depth > g.depth) g = {i, j, depth, near.x, near.y};
     });
   }
   return gouges;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/stretch.h"
+
 // The least distance of two pieces is taken at ends of either, where they cross (then it is 0), or
 // where the line between the two places stands square on both: for a line and a circle on the
 // normal through the centre, for two circles on the line of centres.
@@ -178,18 +180,35 @@ void offer_line_of_centres(const Piece& a, const Piece& b, Nearest& nearest) {
 
 }  // namespace
 
-Piece piece_of(const Move& move) {
-  Piece piece{move.from.x(), move.from.y(), move.to.x(), move.to.y()};
-  if (move.kind != MoveKind::Arc) return piece;
-  const auto& circle = std::get<Circle>(*move.carrier.base);
+Piece piece_of(const Stretch& stretch) {
+  Piece piece{stretch.from.x(), stretch.from.y(), stretch.to.x(), stretch.to.y()};
+  if (stretch.carrier.is_line()) return piece;
+  const auto& circle = std::get<Circle>(*stretch.carrier.base);
   piece.arc = true;
-  piece.full_circle = move.full_circle;
+  piece.full_circle = stretch.from == stretch.to;
   piece.cx = coarse(circle.centre().x);
   piece.cy = coarse(circle.centre().y);
   Ball radius(circle.radius());
-  if (move.carrier.shift) radius = radius - Ball(*move.carrier.shift);
+  if (stretch.carrier.shift) radius = radius - Ball(*stretch.carrier.shift);
   piece.radius = static_cast<double>(radius.mid);
   return piece;
+}
+
+Piece piece_of(const Move& move) {
+  if (move.kind != MoveKind::Arc)
+    return {move.from.x(), move.from.y(), move.to.x(), move.to.y(), false, false, 0, 0, 0};
+  return piece_of(stretch_of(move));
+}
+
+Box box_around(const Stretch& stretch) {
+  const Box box = box_of(piece_of(stretch));
+  // Coordinates are correctly rounded, and an extreme place taken for outside the sector lies
+  // nearer to an end than rounding: a few units in the last place of the largest number cover all
+  // of it.
+  const double size =
+      std::max({std::fabs(box.min_x), std::fabs(box.min_y), std::fabs(box.max_x),
+                std::fabs(box.max_y), box.max_x - box.min_x, box.max_y - box.min_y});
+  return box.grown(size * 0x1p-44);
 }
 
 Box box_of(const Piece& p) {
@@ -231,15 +250,6 @@ Approach nearest(const Piece& a, const Piece& b) {
   else if (b.arc)
     offer_normal(a, b, true, result);
   return result.best;
-}
-
-bool cross_inside(const Piece& a, const Piece& b, double margin) {
-  bool found = false;
-  for_each_crossing(a, b, [&](double x, double y) {
-    const auto far = [&](double px, double py) { return std::hypot(x - px, y - py) > margin; };
-    found = found || (far(a.x0, a.y0) && far(a.x1, a.y1) && far(b.x0, b.y0) && far(b.x1, b.y1));
-  });
-  return found;
 }
 
 }  // namespace dgt

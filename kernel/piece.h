@@ -27,14 +27,8 @@ struct Approach {
 [[nodiscard]] Box box_of(const Piece& piece);
 /// Whether the ray from the arc's centre along (dx, dy) meets it. Precondition: an arc.
 [[nodiscard]] bool in_sector(const Piece& arc, double dx, double dy);
-/// The nearest places of two pieces. The distance is right within 32 units in the last place of the
-/// largest coordinate or radius: each candidate is a chain of fewer than 16 rounded operations on
-/// such numbers, and the least distance depends on its candidates continuously, so that a place
-/// taken for inside a sector or segment although it lies a rounding error outside changes nothing
-/// more.
+/// The nearest places of two pieces, in plain floating point: what is told to a person. Whether the
+/// two come too near is decided elsewhere (stretch.h).
 [[nodiscard]] Approach nearest(const Piece& a, const Piece& b);
-
-/// Whether the two cross away from their ends: at a place further than `margin` mm from each.
-[[nodiscard]] bool cross_inside(const Piece& a, const Piece& b, double margin);
 
 }  // namespace dgt

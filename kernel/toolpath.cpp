@@ -9,50 +9,12 @@
 
 #include "kernel/check.h"
 #include "kernel/mpfr_float.h"
+#include "kernel/place_order.h"
 
 namespace dgt {
 namespace {
 
 constexpr mpfr_prec_t kMeasureBits = 128;
-
-/// sign(p + q√e) for p, q in one field Q(√c): exact by comparing squares.
-int sign_over(const OneRoot& p, const OneRoot& q, const Rational& e) {
-  const int sp = sign(p);
-  const int sq = sgn(e) == 0 ? 0 : sign(q);
-  if (sp == 0 || sp == sq) return sq;
-  if (sq == 0) return sp;
-  const Rational& c = p.is_rational() ? q.c : p.c;
-  const OneRoot difference{p.a * p.a + p.b * p.b * c - (q.a * q.a + q.b * q.b * c) * e,
-                           2 * (p.a * p.b - q.a * q.b * e), c};
-  return sp * sign(difference);  // |p| against |q|√e
-}
-
-/// The root that both coordinates are made over.
-const Rational& root_of(const ExactPoint& p) { return p.x.is_rational() ? p.y.c : p.x.c; }
-
-/// Exact sign of (a − c) × (b − c).
-int exact_turn(const RationalPoint& c, const ExactPoint& a, const ExactPoint& b) {
-  const OneRoot ux = a.x - c.x;
-  const OneRoot uy = a.y - c.y;
-  const OneRoot vx = b.x - c.x;
-  const OneRoot vy = b.y - c.y;
-  const Rational& root = root_of(a);
-  const auto zero_if_rational = [](const OneRoot& n) {
-    return n.is_rational() ? Rational(0) : n.b;
-  };
-  const Rational uxb = zero_if_rational(ux);
-  const Rational uyb = zero_if_rational(uy);
-  const Rational vxb = zero_if_rational(vx);
-  const Rational vyb = zero_if_rational(vy);
-  const OneRoot p{ux.a * vy.a - uy.a * vx.a, uxb * vy.a - uyb * vx.a, root};
-  const OneRoot q{ux.a * vyb - uy.a * vxb, uxb * vyb - uyb * vxb, root};
-  return sign_over(p, q, root_of(b));
-}
-
-/// Encloses the exact coordinate that a correctly rounded double stands for.
-Ball around(double x) {
-  return {x, static_cast<long double>(std::fabs(x)) * 0x1p-52L + std::ldexp(1.0L, kZeroExponent)};
-}
 
 /// out = the angle from `from` to `to` about the circle's centre, in radians, signed by its sense.
 void sweep_radians(mpfr_ptr out, const Circle& circle, const Point& from, const Point& to) {
@@ -162,12 +124,7 @@ int half_turn_order(const Move& arc) {
   if (arc.full_circle) return 1;
   const Circle circle = arc.circle();
   const int sense = circle.counter_clockwise() ? 1 : -1;
-  const Ball cx(circle.centre().x);
-  const Ball cy(circle.centre().y);
-  const Ball turn = (around(arc.from.x()) - cx) * (around(arc.to.y()) - cy) -
-                    (around(arc.from.y()) - cy) * (around(arc.to.x()) - cx);
-  if (const auto certain = turn.sign()) return -sense * *certain;
-  return -sense * exact_turn(circle.centre(), arc.from.exact(), arc.to.exact());
+  return -sense * turn_about(circle.centre(), arc.from, arc.to);
 }
 
 double sweep_degrees(const Move& arc) {

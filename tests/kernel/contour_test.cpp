@@ -434,12 +434,18 @@ TEST_F(GougeTest, SampleOneRefusesAToolWiderThanItsSlots) {
   const auto built = build(hub, at("14", "0"));
   ASSERT_FALSE(built.faults.empty());
   EXPECT_EQ(built.faults.front().kind, Kind::Gouge);
-  // At exactly 2 the lobes would be whole circles, which a radius and two ends cannot say.
-  EXPECT_EQ(built.faults.front().largest_offset, Rational(1999, 1000));
-  hub.front() = w("2");
-  EXPECT_EQ(build(hub, at("14", "0")).faults.front().kind, Kind::Overrun);
-  hub.front() = w("1.999");
-  EXPECT_THAT(build(hub, at("14", "0")).faults, IsEmpty());
+  EXPECT_EQ(built.faults.front().largest_offset, Rational(2));
+  hub.front() = w("2.001");
+  EXPECT_EQ(build(hub, at("14", "0")).faults.front().kind, Kind::Gouge);
+}
+
+TEST_F(GougeTest, AToolExactlyAsWideAsTheSlotsGoesRoundTheLobesInFullTurns) {
+  const auto built = build({w("2"), along(horizontal("2")), along(circle("14", "0", "-5")),
+                            along(minus(horizontal("-2"))), along(circle("0", "0", "-7"))},
+                           at("14", "0"));
+  ASSERT_THAT(built.faults, IsEmpty()) << text(built.faults);
+  EXPECT_EQ(text(built.moves), "line(14,0 11,0) arc(11,0 11,0 r3 -360) line(11,0 5,0)");
+  EXPECT_TRUE(built.moves[1].full_circle);
 }
 
 TEST_F(GougeTest, MayOnlyWarn) {

@@ -463,7 +463,7 @@ K1 W0.5 L1 C1 L1 L2
             R"(t.bgt:5:9: error: moved by the offset, L1 and C1 miss each other by 0.9 mm [DGT0501]
 K1 W0.5 L1 C1 L1 L2
         ^~
-t.bgt:5:4: note: with W0.049 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+t.bgt:5:4: note: with W0.05 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W0.5 L1 C1 L1 L2
    ^~~~
 t.bgt:5:9: note: the offset lies to the left of L1, where the tool stands before it [DGT0504]
@@ -550,36 +550,31 @@ K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
 )");
 }
 
-TEST(DgtMessages, ALobeThatGrowsToACircleIsAnError) {
+TEST(DgtMessages, ALobeThatGrowsPastAFullTurnIsAnErrorWhereGougesAreAllowed) {
+  EvaluateOptions options;
+  options.gouge = GougePolicy::Warn;
   EXPECT_EQ(
       CompiledProgram(R"(L1=Y2
 L2=Y-2
 C1=X0 Y0 R7
 C2=X14 Y0 R-5
 G54 X14 Y0
-K1 W2 L1 C2 L-2 C-1
-FOR 5
-N1=N1-60
-AN1, L1 C2 L-2 C-1
-NEXT
-A-0, L1 C2
-)")
-          .messages(),
-      R"(t.bgt:6:7: note: the offset lies inside the closed contour, on the side of L1 where the tool stands before it [DGT0514]
-K1 W2 L1 C2 L-2 C-1
-      ^~
-t.bgt:6:10: error: with the offset C2 grows to a full circle; the tool does not fit between its neighbours [DGT0510]
-K1 W2 L1 C2 L-2 C-1
-         ^~
-t.bgt:6:4: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
-K1 W2 L1 C2 L-2 C-1
-   ^~
-t.bgt:9:9: error: with the offset C2 grows to a full circle; the tool does not fit between its neighbours [DGT0510]
-AN1, L1 C2 L-2 C-1
-        ^~
-t.bgt:6:4: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
-K1 W2 L1 C2 L-2 C-1
-   ^~
+K1 W2.001 L1 C2 L-2 C-1
+)",
+                      {}, options)
+          .faults(),
+      R"(t.bgt:6:14: error: with the offset C2 grows to a full circle; the tool does not fit between its neighbours [DGT0510]
+K1 W2.001 L1 C2 L-2 C-1
+             ^~
+t.bgt:6:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W2.001 L1 C2 L-2 C-1
+   ^~~~~~
+t.bgt:6:17: warning: on its way along L-2 the tool cuts 0.002 mm deep into C2, at X9.41742431 Y0.001 [DGT0509]
+K1 W2.001 L1 C2 L-2 C-1
+                ^~~
+t.bgt:6:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W2.001 L1 C2 L-2 C-1
+   ^~~~~~
 )");
 }
 
