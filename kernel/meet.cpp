@@ -289,12 +289,38 @@ Point Point::on_demand(double x, double y, std::function<ExactPoint()> exact) {
   return point;
 }
 
+Point Point::decimal(std::int64_t x, std::int64_t y) {
+  DGT_CHECK(std::abs(x) <= kMaxDecimalSteps && std::abs(y) <= kMaxDecimalSteps);
+  static const Form kDecimal = Decimal{};
+  constexpr auto kSteps = static_cast<double>(kDecimalStepsPerMillimetre);
+  Point point;
+  point.x_ = static_cast<double>(x) / kSteps;  // both are whole below 2⁵³: rounded once
+  point.y_ = static_cast<double>(y) / kSteps;
+  point.form_ = std::shared_ptr<const Form>(std::shared_ptr<const Form>(), &kDecimal);
+  return point;
+}
+
+namespace {
+
+/// The steps a double was rounded from. It is off by 2⁻⁵³ of its size and the product by as much
+/// again, together by at most 2⁵⁰·2⁻⁵² = a quarter of a step.
+Rational decimal_of(double x) {
+  constexpr auto kSteps = static_cast<double>(Point::kDecimalStepsPerMillimetre);
+  Rational value(static_cast<long>(std::llround(x * kSteps)), Point::kDecimalStepsPerMillimetre);
+  value.canonicalize();
+  return value;
+}
+
+}  // namespace
+
 ExactPoint Point::exact() const {
   if (!form_) return ExactPoint(RationalPoint{0, 0});
   if (const auto* rational = std::get_if<RationalPoint>(form_.get())) return ExactPoint(*rational);
   if (const auto* crossing = std::get_if<Crossing>(form_.get()))
     return stages::exact_crossing(crossing->a.element(), crossing->b.element(), crossing->which);
   if (const auto* form = std::get_if<std::function<ExactPoint()>>(form_.get())) return (*form)();
+  if (std::holds_alternative<Decimal>(*form_))
+    return ExactPoint(RationalPoint{decimal_of(x_), decimal_of(y_)});
   return *std::get<std::unique_ptr<const ExactPoint>>(*form_);
 }
 

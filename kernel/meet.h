@@ -38,6 +38,13 @@ class Point {
   /// `exact` when somebody asks for it.
   static Point on_demand(double x, double y, std::function<ExactPoint()> exact);
 
+  /// The point of two decimals, in steps of 10⁻⁹ mm: as exact as any and without a form of its
+  /// own, since its doubles tell which steps they are nearest to. Programs of a control have
+  /// millions. Precondition (checked): both are within ±kMaxDecimalSteps.
+  static constexpr std::int64_t kDecimalStepsPerMillimetre = 1'000'000'000;
+  static constexpr std::int64_t kMaxDecimalSteps = std::int64_t{1} << 50;  // 1126 m
+  static Point decimal(std::int64_t x, std::int64_t y);
+
   /// Millimetres, the double nearest to the exact coordinate (0 within 2⁻⁶⁴ mm of it).
   [[nodiscard]] double x() const { return x_; }
   [[nodiscard]] double y() const { return y_; }
@@ -52,8 +59,9 @@ class Point {
     Carrier b;
     Which which;
   };
+  struct Decimal {};
   using Form = std::variant<RationalPoint, Crossing, std::unique_ptr<const ExactPoint>,
-                            std::function<ExactPoint()>>;
+                            std::function<ExactPoint()>, Decimal>;
 
   double x_ = 0;
   double y_ = 0;

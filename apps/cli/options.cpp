@@ -49,6 +49,7 @@ SourceSettings SourceOptions::over(SourceSettings settings) const {
   if (offset_side) settings.evaluate.offset_side = *offset_side;
   if (join_tolerance) settings.evaluate.join_tolerance = parse_decimal(*join_tolerance).value();
   if (gouge) settings.evaluate.gouge = *gouge;
+  settings.essi.nc.repair = settings.gcode.nc.repair = repair;
   settings.macro_path.insert(settings.macro_path.begin(), macro_path.begin(), macro_path.end());
   return settings;
 }
@@ -81,12 +82,15 @@ void add_message_options(CLI::App& verb, MessageOptions& options) {
 
 void add_reading_options(CLI::App& verb, SourceOptions& options) {
   static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt},
+                                                               {"essi", InputLanguage::Essi},
+                                                               {"essi-iso", InputLanguage::EssiIso},
+                                                               {"gcode", InputLanguage::Gcode},
                                                                {"poly", InputLanguage::Poly}};
   verb.add_option(
           "--from", options.from,
-          "Language of the input (default: by the extension; .bgt and .dgt are DGT, .poly is "
-          "polylines; standard input is DGT)")
-      ->option_text("dgt|poly")
+          "Language of the input (default: by the extension; .bgt and .dgt are DGT, .ess and .essi "
+          "ESSI, .nc, .cnc, .gcode, .ngc and .tap G-code, .poly polylines; standard input is DGT)")
+      ->option_text("dgt|essi|essi-iso|gcode|poly")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
   verb.add_option(
@@ -94,6 +98,10 @@ void add_reading_options(CLI::App& verb, SourceOptions& options) {
           "Encoding of the program, its macros and definition files (default: as each looks)")
       ->option_text(encoding_names())
       ->transform(CLI::CheckedTransformer(encodings(), CLI::ignore_case).description(""))
+      ->group("Source");
+  verb.add_flag("--repair", options.repair,
+                "In ESSI and G-code, take an arc whose radius lacks at most one unit for its chord "
+                "as half a turn, with a warning")
       ->group("Source");
 }
 

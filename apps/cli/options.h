@@ -39,6 +39,7 @@ struct SourceOptions {
   std::optional<OffsetSide> offset_side;      ///< these three unset: by the settings
   std::optional<std::string> join_tolerance;  ///< mm, a decimal
   std::optional<GougePolicy> gouge;
+  bool repair = false;
   MachineOptions machine;
 
   /// The settings with what the options say in their place.

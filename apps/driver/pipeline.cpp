@@ -2,8 +2,10 @@
 #include "apps/driver/pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
+#include "lang/nc/path_builder.h"
 #include "lang/poly/toolpath.h"
 
 namespace dgt {
@@ -36,12 +38,32 @@ void compile_poly(Compilation& made) {
   if (!made.bag.has_errors()) made.result.path = toolpath_of(loops, *made.file);
 }
 
+void finish_nc(Compilation& made, NcProgram program) {
+  made.bag.sort();
+  if (made.bag.has_errors()) return;
+  program.path.contours = contours_of(program.path.moves);
+  made.result.path = std::move(program.path);
+}
+
+void compile_essi(Compilation& made, EssiOptions options, EssiDialect dialect) {
+  options.dialect = dialect;
+  finish_nc(made, read_essi(*made.file, options, made.bag));
+}
+
+void compile_gcode(Compilation& made, const GcodeOptions& options) {
+  finish_nc(made, read_gcode(*made.file, options, made.bag));
+}
+
 }  // namespace
 
 std::optional<InputLanguage> language_of(const std::string& name) {
   const std::string extension = lower_extension(name);
   if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
   if (extension == ".poly") return InputLanguage::Poly;
+  if (extension == ".ess" || extension == ".essi") return InputLanguage::Essi;
+  static constexpr std::array<std::string_view, 5> kGcode = {".nc", ".cnc", ".gcode", ".ngc",
+                                                             ".tap"};
+  if (std::ranges::find(kGcode, extension) != kGcode.end()) return InputLanguage::Gcode;
   return std::nullopt;
 }
 
@@ -58,6 +80,15 @@ Compilation compile_bytes(const std::string& name, std::string_view bytes,
   switch (settings.from.value_or(by_name)) {
     case InputLanguage::Dgt:
       compile_dgt(made, name, settings);
+      break;
+    case InputLanguage::Essi:
+      compile_essi(made, settings.essi, settings.essi.dialect);
+      break;
+    case InputLanguage::EssiIso:
+      compile_essi(made, settings.essi, EssiDialect::Iso);
+      break;
+    case InputLanguage::Gcode:
+      compile_gcode(made, settings.gcode);
       break;
     case InputLanguage::Poly:
       compile_poly(made);

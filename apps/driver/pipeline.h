@@ -9,24 +9,30 @@
 
 #include "apps/driver/file_io.h"
 #include "lang/dgt/compile.h"
+#include "lang/essi/reader.h"
+#include "lang/gcode/reader.h"
 
 /// From the name of a file to its tool path, without a word to the person: what the command, the
 /// tests and the fuzzers share.
 namespace dgt {
 
-enum class InputLanguage : std::uint8_t { Dgt, Poly };
+enum class InputLanguage : std::uint8_t { Dgt, Essi, EssiIso, Gcode, Poly };
 
-/// By the extension, in either case: `.bgt` and `.dgt`, `.poly`. Standard input is DGT.
+/// By the extension, in either case: `.bgt` and `.dgt`; `.ess` and `.essi`; `.nc`, `.cnc`, `.gcode`,
+/// `.ngc` and `.tap`; `.poly`. Standard input is DGT.
 [[nodiscard]] std::optional<InputLanguage> language_of(const std::string& name);
 
 struct SourceSettings {
   std::optional<InputLanguage> from;  ///< unset: by the extension, DGT when that says nothing
   EvaluateOptions evaluate;
+  EssiOptions essi;
+  GcodeOptions gcode;
   std::optional<Encoding> encoding;     ///< of the program; `evaluate` has that of macros
   std::vector<std::string> macro_path;  ///< folders, after the program's own and its `mac`
 };
 
-/// A source that has been read and executed; of a polyline `result` has the path alone.
+/// A source that has been read and executed; in other languages than DGT `result` has the
+/// path alone.
 struct Compilation {
   std::shared_ptr<const SourceFile> file;
   CompileResult result;

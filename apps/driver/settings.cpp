@@ -68,6 +68,68 @@ bool set_macro_path(Settings& settings, std::string_view text) {
   return true;
 }
 
+/// The readers of NC programs share options.
+template <class Change>
+void change_nc(Settings& settings, Change&& change) {
+  change(settings.source.essi.nc);
+  change(settings.source.gcode.nc);
+}
+
+std::optional<Rational> decimal_between(std::string_view text, const Rational& least,
+                                        const Rational& most) {
+  auto value = parse_decimal(text);
+  if (!value || *value < least || *value > most) return std::nullopt;
+  return value;
+}
+
+bool set_arc_tolerance(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, 0, 10);
+  if (value) change_nc(settings, [&](NcOptions& nc) { nc.arc_tolerance = *value; });
+  return value.has_value();
+}
+
+bool set_kerf(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, 0, 100);
+  if (value) change_nc(settings, [&](NcOptions& nc) { nc.kerf_width = *value; });
+  return value.has_value();
+}
+
+bool set_sense(RotationSense& sense, std::string_view text) {
+  if (text == "ccw") return sense = RotationSense::CounterClockwise, true;
+  if (text == "cw") return sense = RotationSense::Clockwise, true;
+  return false;
+}
+
+bool set_essi_dialect(Settings& settings, std::string_view text) {
+  EssiDialect& dialect = settings.source.essi.dialect;
+  if (text == "essi") return dialect = EssiDialect::Guide, true;
+  if (text == "essi-iso") return dialect = EssiDialect::Iso, true;
+  return false;
+}
+
+bool set_essi_unit(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, Rational(1, 1'000'000), 100);
+  if (value) settings.source.essi.unit = *value;
+  return value.has_value();
+}
+
+bool set_scale_unit(Settings& settings, std::string_view text) {
+  Rational& unit = settings.source.essi.scale_unit;
+  if (text == "percent") return unit = Rational(1, 100), true;
+  if (text == "permille") return unit = Rational(1, 1000), true;
+  return false;
+}
+
+bool set_positions(Settings& settings, std::string_view text) {
+  settings.source.gcode.begins_incremental = text == "incremental";
+  return text == "incremental" || text == "absolute";
+}
+
+bool set_read_dwell(Settings& settings, std::string_view text) {
+  settings.source.gcode.dwell_unit = text == "ms" ? Rational(1, 1000) : Rational(1);
+  return text == "ms" || text == "s";
+}
+
 struct Rule {
   SettingKey key;
   bool (*apply)(Settings&, std::string_view);
@@ -79,14 +141,37 @@ constexpr std::array kRules{
     Rule{{"offset_side", "auto|left|right"}, set_offset_side},
     Rule{{"join_tolerance", "≥ 0 mm"}, set_join_tolerance},
     Rule{{"gouge", "error|warn"}, set_gouge},
+    Rule{{"kerf", "0…100 mm"}, set_kerf},
+    Rule{{"arc_tolerance", "0…10 mm"}, set_arc_tolerance},
+    Rule{{"essi.dialect", "essi|essi-iso"}, set_essi_dialect},
+    Rule{{"essi.unit", "0.000001…100 mm"}, set_essi_unit},
+    Rule{{"essi.rotation", "ccw|cw"},
+         [](Settings& settings, std::string_view text) {
+           return set_sense(settings.source.essi.rotation, text);
+         }},
+    Rule{{"essi.scale_unit", "percent|permille"}, set_scale_unit},
+    Rule{{"essi.iso_plus", "ccw|cw"},
+         [](Settings& settings, std::string_view text) {
+           return set_sense(settings.source.essi.iso_plus, text);
+         }},
+    Rule{{"gcode.positions", "absolute|incremental"}, set_positions},
+    Rule{{"gcode.dwell_unit", "s|ms"}, set_read_dwell},
     Rule{{kMacroPath, "[\"/a\", \"/b\"], /a:/b"}, set_macro_path},
     Rule{{"max_statements", "1…1000000000000"},
          [](Settings& settings, std::string_view text) {
-           return set_whole(settings.source.evaluate.bounds.statements, text, kMostWork);
+           const bool is_one =
+               set_whole(settings.source.evaluate.bounds.statements, text, kMostWork);
+           const std::uint64_t blocks = settings.source.evaluate.bounds.statements;
+           change_nc(settings, [&](NcOptions& nc) { nc.max_blocks = blocks; });
+           return is_one;
          }},
     Rule{{"max_moves", "1…1000000000000"},
          [](Settings& settings, std::string_view text) {
-           return set_whole(settings.source.evaluate.bounds.moves, text, kMostWork);
+           const bool is_one =
+               set_whole(settings.source.evaluate.bounds.moves, text, kMostWork);
+           const std::uint64_t moves = settings.source.evaluate.bounds.moves;
+           change_nc(settings, [&](NcOptions& nc) { nc.max_moves = moves; });
+           return is_one;
          }},
     Rule{{"max_loop_depth", "1…1000"},
          [](Settings& settings, std::string_view text) {

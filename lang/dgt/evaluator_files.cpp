@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "lang/dgt/evaluator.h"
-#include "lang/dgt/lexer.h"
+#include "lang/text/look_alike.h"
 #include "lang/dgt/parser.h"
 #include "lang/text/encoding.h"
 

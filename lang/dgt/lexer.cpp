@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "lang/text/encoding.h"
+#include "lang/text/look_alike.h"
 #include "lang/text/reading.h"
 #include "lang/text/utf8.h"
 
@@ -21,61 +21,7 @@ bool is_language_letter(char c) { return kLetters.find(c) != std::string_view::n
 bool may_begin_keyword(char c) { return c == 'F' || c == 'N' || c == 'M' || c == 'O'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-struct LookAlike {
-  char32_t cyrillic;
-  char latin;
-};
-
-// Capitals whose shape is a Latin letter's; their small forms are taken for the same letters.
-constexpr std::array kLookAlikes = {
-    LookAlike{U'А', 'A'}, LookAlike{U'В', 'B'}, LookAlike{U'С', 'C'}, LookAlike{U'Е', 'E'},
-    LookAlike{U'К', 'K'}, LookAlike{U'М', 'M'}, LookAlike{U'Н', 'H'}, LookAlike{U'О', 'O'},
-    LookAlike{U'Р', 'P'}, LookAlike{U'Т', 'T'}, LookAlike{U'У', 'Y'}, LookAlike{U'Х', 'X'},
-    LookAlike{U'І', 'I'}, LookAlike{U'Ѕ', 'S'}, LookAlike{U'Ј', 'J'}};
-
-char latin_for(char32_t c) {
-  if (c >= U'а' && c <= U'я') c -= U'а' - U'А';
-  if (c >= U'ѐ' && c <= U'џ') c -= U'ѐ' - U'Ѐ';
-  for (const LookAlike& pair : kLookAlikes) {
-    if (pair.cyrillic == c) return pair.latin;
-  }
-  return '\0';
-}
-
-// The Latin letter on the key of a Cyrillic one, for those that look like no Latin letter.
-char latin_on_key(char32_t c) {
-  static constexpr std::u32string_view kCyrillic = U"ЦГШЩЗФЫПЛДЯЧИЬ";
-  static constexpr std::string_view kLatin = "WUIOPASGKLZXBM";
-  if (c >= U'а' && c <= U'я') c -= U'а' - U'А';
-  const std::size_t at = kCyrillic.find(c);
-  return at == std::u32string_view::npos ? '\0' : kLatin[at];
-}
-
-bool is_cyrillic(char32_t c) { return (c >= U'А' && c <= U'я') || c == U'Ё' || c == U'ё'; }
-
-// Quotes and apostrophes that word processors put in place of the typewriter's.
-char typewriter_sign_for(char32_t c) {
-  if (c == U'«' || c == U'»' || (c >= U'“' && c <= U'‟')) return '"';
-  return c == U'‘' || c == U'’' || c == U'‛' ? '\'' : '\0';
-}
-
-bool is_wide_blank(char32_t c) { return c == 0xA0 || c == 0x2007 || c == 0x202F || c == 0xFEFF; }
-
 }  // namespace
-
-std::string latin_look_alike(std::string_view text) {
-  std::string latin;
-  for (std::size_t at = 0; at < text.size();) {
-    const CodePoint c = code_point_at(text, at);
-    if (const char letter = latin_for(c.value)) {
-      latin += letter;
-    } else {
-      latin += text.substr(at, c.size);
-    }
-    at += c.size;
-  }
-  return latin;
-}
 
 // A character as the language reads it.
 struct Lexer::Character {
@@ -112,9 +58,9 @@ Lexer::Character Lexer::look(std::uint32_t at) const {
   if (static_cast<unsigned char>(c) < 0x80) return {upper(c), 1, false};
   const CodePoint wide = code_point_at(text_, at);
   if (is_wide_blank(wide.value)) return {' ', wide.size, true};
-  if (wide.value == 0x2212 || wide.value == 0x2013) return {'-', wide.size, true};
+  if (is_typographic_minus(wide.value)) return {'-', wide.size, true};
   if (const char sign = typewriter_sign_for(wide.value)) return {sign, wide.size, true};
-  return {latin_for(wide.value), wide.size, true};
+  return {latin_look_alike(wide.value), wide.size, true};
 }
 
 std::uint32_t Lexer::skip_blanks(std::uint32_t at) const {

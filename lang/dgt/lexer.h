@@ -11,9 +11,6 @@
 
 namespace dgt::language {
 
-/// `text` with its Cyrillic letters that look like Latin ones replaced by these, upper case.
-[[nodiscard]] std::string latin_look_alike(std::string_view text);
-
 /// Cuts a DGT source into words, line by line, in one pass. Blanks, comments and the case of
 /// letters are gone from what it gives; Cyrillic look-alikes have become Latin letters, each with a
 /// warning.
