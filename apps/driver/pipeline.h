@@ -18,7 +18,8 @@ namespace dgt {
 
 enum class InputLanguage : std::uint8_t { Dgt, Essi, EssiIso, Gcode, Poly };
 
-/// By the extension, in either case: `.bgt` and `.dgt`; `.ess` and `.essi`; `.nc`, `.cnc`, `.gcode`,
+/// By the extension, in either case: `.bgt` and `.dgt`; `.ess` and `.essi`; `.nc`, `.cnc`,
+/// `.gcode`,
 /// `.ngc` and `.tap`; `.poly`. Standard input is DGT.
 [[nodiscard]] std::optional<InputLanguage> language_of(const std::string& name);
 

@@ -167,8 +167,7 @@ constexpr std::array kRules{
          }},
     Rule{{"max_moves", "1…1000000000000"},
          [](Settings& settings, std::string_view text) {
-           const bool is_one =
-               set_whole(settings.source.evaluate.bounds.moves, text, kMostWork);
+           const bool is_one = set_whole(settings.source.evaluate.bounds.moves, text, kMostWork);
            const std::uint64_t moves = settings.source.evaluate.bounds.moves;
            change_nc(settings, [&](NcOptions& nc) { nc.max_moves = moves; });
            return is_one;

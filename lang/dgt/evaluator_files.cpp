@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "lang/dgt/evaluator.h"
-#include "lang/text/look_alike.h"
 #include "lang/dgt/parser.h"
 #include "lang/text/encoding.h"
+#include "lang/text/look_alike.h"
 
 namespace dgt::language {
 

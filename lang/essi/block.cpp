@@ -92,7 +92,8 @@ bool BlockReader::read_sign(bool& negative) {
   const CodePoint c = code_point_at(file_.text(), at_);
   if (!is_typographic_minus(c.value)) return false;
   const Range range{&file_, at_, at_ + c.size};
-  bag_.add({Message::TypographicSign, range, {std::string(range.text()), "-"}, {}, FixIt{range, "-"}});
+  bag_.add(
+      {Message::TypographicSign, range, {std::string(range.text()), "-"}, {}, FixIt{range, "-"}});
   at_ += c.size;
   negative = true;
   return true;

@@ -13,7 +13,7 @@ namespace dgt::essi {
 struct Field {
   bool negative = false;
   bool has_digits = false;
-  std::int64_t value = 0;  ///< with its sign
+  std::int64_t value = 0;   ///< with its sign
   std::uint32_t begin = 0;  ///< in the file's text
   std::uint32_t end = 0;
 };

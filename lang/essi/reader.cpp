@@ -207,8 +207,7 @@ class EssiReader {
     if (is_guide_ && block.number >= kFirstSubprogram && block.number <= kLastSubprogram)
       return call(block);
     if (block.number >= kFirstSubprogram) {
-      return report(Message::EssiNumberOutOfRange, range_of(block),
-                    {std::to_string(block.number)});
+      return report(Message::EssiNumberOutOfRange, range_of(block), {std::to_string(block.number)});
     }
     if (block.count > 1 || (block.count == 1 && is_guide_))
       return report(Message::EssiNoBlock, range_of(block), {std::string(range_of(block).text())});

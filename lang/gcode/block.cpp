@@ -241,7 +241,8 @@ bool BlockReader::read_number(Decimal& number) {
     const Range range = from(number.begin);
     std::string meant(range.text());
     meant[meant.find(',')] = '.';
-    bag_.add({Message::GcodeDecimalComma, range, {meant}, {}, FixIt{range, meant, Certainty::Guess}});
+    bag_.add(
+        {Message::GcodeDecimalComma, range, {meant}, {}, FixIt{range, meant, Certainty::Guess}});
   }
   if (digits > kMaxNcDigits) {
     report(Message::NumberTooLong, from(number.begin),
@@ -256,8 +257,7 @@ bool BlockReader::read_number(Decimal& number) {
   return true;
 }
 
-void BlockReader::keep_code(Block& block, char letter, const Decimal& number,
-                            std::uint32_t begin) {
+void BlockReader::keep_code(Block& block, char letter, const Decimal& number, std::uint32_t begin) {
   const Range range{&file_, begin, number.end};
   auto& count = letter == 'G' ? block.g_count : block.m_count;
   int value = -1;

@@ -21,10 +21,10 @@ struct CodeWord {
 struct Block {
   static constexpr std::size_t kMaxCodes = 16;
 
-  std::uint32_t line = 0;   ///< from 1
-  std::uint32_t begin = 0;  ///< of its first word but N; of the line when there is none
-  std::uint32_t end = 0;    ///< of its last word
-  std::uint32_t column = 0;  ///< of `begin`, in characters from 1
+  std::uint32_t line = 0;     ///< from 1
+  std::uint32_t begin = 0;    ///< of its first word but N; of the line when there is none
+  std::uint32_t end = 0;      ///< of its last word
+  std::uint32_t column = 0;   ///< of `begin`, in characters from 1
   std::uint32_t present = 0;  ///< a bit for each letter of `words`
   std::array<Decimal, 26> words;
   std::array<std::uint32_t, 26> letters;  ///< where each begins

@@ -200,9 +200,9 @@ class GcodeReader {
   }
 
   void switch_kerf(const CodeWord& code) {
-    const Side side = code.number == 400                           ? Side::None
+    const Side side = code.number == 400                         ? Side::None
                       : code.number == 410 || code.number == 411 ? Side::Left
-                                                                  : Side::Right;
+                                                                 : Side::Right;
     Rational offset = kerf_ ? *kerf_ : Rational(options_.nc.kerf_width / 2);
     if (has('D')) {
       const Decimal& d = use('D');
@@ -401,9 +401,8 @@ class GcodeReader {
     const bool is_fault = verdict.message && verdict.message->severity() == Severity::Error;
     if (verdict.message) bag_.add(*std::move(verdict.message));
     if (is_fault) return skip_arc(to, std::move(height));
-    const Circle circle = verdict.is_half_turn
-                              ? half_turn(from, chord, ccw)
-                              : circle_by_radius(from, chord, radius, major, ccw);
+    const Circle circle = verdict.is_half_turn ? half_turn(from, chord, ccw)
+                                               : circle_by_radius(from, chord, radius, major, ccw);
     path_.arc(to, circle, std::move(height), place_);
   }
 

@@ -21,10 +21,9 @@ void count(ArcSummary& summary, double difference, const Range& block) {
   summary.worst = block;
 }
 
-/// In the program's own numbers: whole ones as they are, others with three decimals.
+/// In the program's own numbers, with at most three decimals.
 std::string in_units(double millimetres, const Rational& unit) {
-  const double value = millimetres / nearest_double(unit);
-  return fmt::format("{:.3f}", value);
+  return to_short_decimal(Rational(millimetres) / unit, 3);
 }
 
 bool is_short_by_at_most(const Spot& chord, const Length& radius, const Rational& most) {

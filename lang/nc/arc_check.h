@@ -31,11 +31,11 @@ namespace dgt {
 struct RadiusWord {
   Length radius;
   /// The number and the chord as the program counts, for messages.
-  Rational unit = 1;  ///< mm
+  Rational unit = 1;        ///< mm
   bool is_lenient = false;  ///< radius_shortfall() is allowed
 };
 struct RadiusVerdict {
-  bool is_half_turn = false;  ///< the radius is taken as half the chord
+  bool is_half_turn = false;          ///< the radius is taken as half the chord
   std::optional<Diagnostic> message;  ///< an error: there is no arc
 };
 [[nodiscard]] RadiusVerdict judge_radius(const Spot& chord, const RadiusWord& word,

@@ -62,9 +62,7 @@ void PathBuilder::switch_kerf(Side side, const Rational& offset, const Range& bl
   program_.kerf.push_back({size(), side, offset, block});
 }
 
-NcProgram PathBuilder::finish() {
-  return std::move(program_);
-}
+NcProgram PathBuilder::finish() { return std::move(program_); }
 
 Move& PathBuilder::add(MoveKind kind, const SourcePlace& place) {
   Move& move = program_.path.moves.emplace_back();

@@ -43,15 +43,15 @@ struct SubprogramRun {
 /// What the radii of arcs were taken for.
 struct ArcSummary {
   std::size_t arcs = 0;
-  std::size_t adjusted = 0;        ///< whose radii differ within the tolerance
-  double largest_difference = 0;   ///< mm
+  std::size_t adjusted = 0;       ///< whose radii differ within the tolerance
+  double largest_difference = 0;  ///< mm
   std::optional<Range> worst;
 };
 
 /// A program as read, before its kerf is applied.
 struct NcProgram {
   Toolpath path;
-  std::vector<KerfSwitch> kerf;  ///< in the order of the moves
+  std::vector<KerfSwitch> kerf;     ///< in the order of the moves
   std::vector<SubprogramRun> runs;  ///< in the order in which they ended
   ArcSummary arcs;
 };

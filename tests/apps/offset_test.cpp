@@ -280,7 +280,7 @@ TEST(OffsetCommand, WrongUsageIs2AndSaysWhy) {
       {call(shape("slot"), "1", {"--corner", "sharp"}), "there are no corners 'sharp'; they are "},
       {call(shape("slot"), "1", {"--engine", "steam"}), "steam"},
       {call(shape("slot"), "1", {"-o", folder.name("x.pdf")}), "ends in .json, .poly or .svg"},
-      {call(folder.write("part.txt", ""), "1"), "does not end in .bgt, .dgt or .poly"},
+      {call(folder.write("part.txt", ""), "1"), "does not tell its language"},
   };
   for (const auto& [words, reason] : calls) {
     const Outcome outcome = run_dgt(words);

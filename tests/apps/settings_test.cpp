@@ -150,21 +150,22 @@ TEST(MachineMessages, AKeyStandsOnce) {
 }
 
 TEST(MachineMessages, AllFaultsOfAFileAreToldInOrder) {
-  EXPECT_EQ(Machine("torch_of = 'M5'\nunit = 'wide'\ngouge = true\n[essi]\nunit = 1\n").messages(),
-            "m.toml:1:1: error: there is no setting 'torch_of'; the nearest is 'torch_off' "
-            "[DGT0903]\n"
-            "torch_of = 'M5'\n"
-            "^~~~~~~~\n"
-            "m.toml:2:8: error: the setting 'unit' cannot be 'wide'; it takes 0.000001…100 mm "
-            "[DGT0904]\n"
-            "unit = 'wide'\n"
-            "       ^~~~~~\n"
-            "m.toml:3:9: error: the setting 'gouge' cannot be true; it takes error|warn [DGT0904]\n"
-            "gouge = true\n"
-            "        ^~~~\n"
-            "m.toml:5:1: error: there is no setting 'essi.unit'; the nearest is 'unit' [DGT0903]\n"
-            "unit = 1\n"
-            "^~~~\n");
+  EXPECT_EQ(
+      Machine("torch_of = 'M5'\nunit = 'wide'\ngouge = true\n[essi]\nunits = 1\n").messages(),
+      "m.toml:1:1: error: there is no setting 'torch_of'; the nearest is 'torch_off' "
+      "[DGT0903]\n"
+      "torch_of = 'M5'\n"
+      "^~~~~~~~\n"
+      "m.toml:2:8: error: the setting 'unit' cannot be 'wide'; it takes 0.000001…100 mm "
+      "[DGT0904]\n"
+      "unit = 'wide'\n"
+      "       ^~~~~~\n"
+      "m.toml:3:9: error: the setting 'gouge' cannot be true; it takes error|warn [DGT0904]\n"
+      "gouge = true\n"
+      "        ^~~~\n"
+      "m.toml:5:1: error: there is no setting 'essi.units'; the nearest is 'essi.unit' [DGT0903]\n"
+      "units = 1\n"
+      "^~~~~\n");
   EXPECT_EQ(Machine("torch_of = 'M5'\nunit = 'wide'\n").messages(Language::Russian),
             "m.toml:1:1: error: нет настройки «torch_of»; ближайшая: «torch_off» [DGT0903]\n"
             "torch_of = 'M5'\n"
@@ -225,7 +226,7 @@ std::vector<std::pair<std::string, std::string>> documented() {
       support::read_text(std::filesystem::path(DGT_SOURCE_DIR) / "post" / "README.md");
   const std::size_t begin = text.find("### Settings");
   const std::string section = text.substr(begin, text.find("\n## ", begin) - begin);
-  static const std::regex kRow("\n\\| `([a-z_]+)` \\| ((?:[^|\\\\]|\\\\.)*) \\|");
+  static const std::regex kRow("\n\\| `([a-z_.]+)` \\| ((?:[^|\\\\]|\\\\.)*) \\|");
   static const std::regex kEscaped("\\\\(.)");
   std::vector<std::pair<std::string, std::string>> rows;
   for (std::sregex_iterator row(section.begin(), section.end(), kRow), end; row != end; ++row)

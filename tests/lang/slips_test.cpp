@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs as they come from a hand on a bad day. Each slips/NAME.bgt is compiled, and everything a
-// person sees of it stands in NAME.en.txt and NAME.ru.txt, to be read line by line whenever it
-// changes: DGT_UPDATE_GOLDEN=1 writes them anew.
+// Programs as they come from a hand on a bad day. Each slips/NAME.bgt is compiled, each .ess, .nc
+// and .cnc read, and everything a person sees of it stands in NAME.en.txt and NAME.ru.txt, to be
+// read line by line whenever it changes: DGT_UPDATE_GOLDEN=1 writes them anew.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <iterator>
 
 #include "lang/dgt/compile.h"
+#include "lang/essi/reader.h"
+#include "lang/gcode/reader.h"
 #include "lang/text/render.h"
 
 namespace dgt {
@@ -62,16 +64,36 @@ EvaluateOptions options_for(const std::string& name) {
   return options;
 }
 
+bool is_iso(const std::string& name) { return name.find("_iso_") != std::string::npos; }
+
+/// Reads or compiles the program `file`, called `name` without its extension. The result holds
+/// what diagnostics point into.
+CompileResult examine(const SourceFile& file, const std::string& name, DiagnosticBag& bag) {
+  const fs::path extension = fs::path(file.name()).extension();
+  if (extension == ".ess") {
+    EssiOptions options;
+    if (is_iso(name)) options.dialect = EssiDialect::Iso;
+    options.nc.repair = name.find("repair") != std::string::npos;
+    (void)read_essi(file, options, bag);
+  } else if (extension == ".nc" || extension == ".cnc") {
+    (void)read_gcode(file, GcodeOptions{}, bag);
+  } else {
+    BesideLoader loader(name.find("unsaved") == std::string::npos);
+    CompileResult result = compile(file, loader, options_for(name), bag);
+    EXPECT_EQ(result.path.has_value(), !bag.has_errors());
+    return result;
+  }
+  bag.sort();
+  return {};
+}
+
 class Slips : public testing::TestWithParam<std::string> {};
 
 TEST_P(Slips, AreToldAsTheGoldenFileSays) {
-  const std::string& name = GetParam();
-  const SourceFile file(name + ".bgt", content_of(folder() / (name + ".bgt")));
-  BesideLoader loader(name.find("unsaved") == std::string::npos);
-  const EvaluateOptions options = options_for(name);
+  const std::string name = fs::path(GetParam()).stem().string();
+  const SourceFile file(GetParam(), content_of(folder() / GetParam()));
   DiagnosticBag bag;
-  const CompileResult result = compile(file, loader, options, bag);
-  EXPECT_EQ(result.path.has_value(), !bag.has_errors());
+  const CompileResult result = examine(file, name, bag);
   for (const Language language : {Language::English, Language::Russian}) {
     const std::string shown = render(bag, {language, Colour::Plain});
     const fs::path golden =
@@ -87,14 +109,15 @@ TEST_P(Slips, AreToldAsTheGoldenFileSays) {
 std::vector<std::string> all_slips() {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
-    if (entry.path().extension() == ".bgt") names.push_back(entry.path().stem().string());
+    if (entry.is_regular_file() && entry.path().extension() != ".txt")
+      names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, Slips, testing::ValuesIn(all_slips()),
-                         [](const auto& slip) { return slip.param; });
+                         [](const auto& slip) { return fs::path(slip.param).stem().string(); });
 
 }  // namespace
 }  // namespace dgt
