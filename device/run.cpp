@@ -25,8 +25,10 @@ class RateWatch {
   /// The rate, when the device has been too slow for several windows.
   std::optional<double> add(std::size_t rows) {
     rows_ += rows;
-    if (rows_ < kWindowRows) return std::nullopt;
-    const double rate = static_cast<double>(rows_) / std::max(seconds_since(begin_), 1e-9);
+    const double seconds = seconds_since(begin_);
+    // Handshakes let rows through in bursts; a window is longer than those.
+    if (rows_ < kWindowRows || seconds < kWindowSeconds) return std::nullopt;
+    const double rate = static_cast<double>(rows_) / seconds;
     slow_ = rate < kSlowShare * speed_ ? slow_ + 1 : 0;
     rows_ = 0;
     begin_ = Clock::now();

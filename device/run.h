@@ -27,8 +27,8 @@ struct PunchFailure {
 
 /// Hands over the rows in portions of a fiftieth of a second, never further ahead of the punch.
 ///  (1) It ends at the latest one timeout after the last row was taken.
-///  (2) Of a punch that takes less than a fifth of its speed for kSlowWindows portions of
-///      kWindowRows rows, it says so.
+///  (2) Of a punch that takes less than a fifth of its speed for kSlowWindows windows
+///      (of kWindowRows rows and kWindowSeconds, whichever takes longer), it says so.
 [[nodiscard]] tl::expected<void, PunchFailure> punch_tape(Punch& punch, std::span<const Row> rows,
                                                           const PunchSettings& settings,
                                                           const Watch& watch = {});
@@ -48,6 +48,7 @@ struct TapeReading {
                                     const TapeFormat& format, const Watch& watch = {});
 
 inline constexpr std::size_t kWindowRows = 50;
+inline constexpr double kWindowSeconds = 0.25;
 inline constexpr int kSlowWindows = 3;
 inline constexpr double kSlowShare = 0.2;  ///< of the speed that is set
 inline constexpr std::size_t kEndRows = 10;

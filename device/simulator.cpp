@@ -28,12 +28,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint8_t kXon = 0x11;
 constexpr std::uint8_t kXoff = 0x13;
-constexpr int kTick = 2;  // ms
+constexpr int kTick = 2;                 // ms
+constexpr std::size_t kMostBytes = 256;  // taken from a line at once
 /// A start so long after the end of the tape is a new reading; earlier it is the computer's queue,
 /// which was full and is empty again.
 constexpr std::chrono::milliseconds kAtRest{200};
-// The punch's buffer, in rows: where it stops the computer and where it lets it go on.
-constexpr std::size_t kBuffer = 32;
+// Rows in the punch's buffer when it stops the computer and when it lets it go on. What the line
+// still brings is taken: on a pseudo-terminal that may be more than on a wire.
 constexpr std::size_t kFull = 24;
 constexpr std::size_t kEmpty = 8;
 constexpr std::array<std::pair<std::string_view, Kind>, 7> kNames = {{{"flip", Kind::Flip},
@@ -156,7 +157,7 @@ class SimulatedReader {
   [[nodiscard]] int number() const { return line_.is_alive() ? line_.number() : -1; }
 
   void tick() {
-    const auto bytes = line_.read(64);
+    const auto bytes = line_.read(kMostBytes);
     for (const std::uint8_t byte : bytes) obey(byte);
     if (bytes.empty() && line_.is_closed()) rewind();
     while (running_ && !hangs_ && drive_.is_due() && step()) drive_.move();
@@ -235,7 +236,7 @@ class SimulatedPunch {
   [[nodiscard]] int number() const { return line_.is_alive() ? line_.number() : -1; }
 
   void tick() {
-    const auto bytes = line_.read(kBuffer - buffer_.size());
+    const auto bytes = line_.read(kMostBytes);
     if (buffer_.empty()) drive_.restart();
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
     while (!hangs_ && !buffer_.empty() && drive_.is_due()) {
