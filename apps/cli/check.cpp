@@ -42,8 +42,9 @@ Step<Compilation> fix(const std::string& file, const SourceOptions& options,
 }
 
 ExitCode run(const CheckOptions& options, const Console& console) {
-  const auto settings = settle(options.source, console);
+  auto settings = settle(options.source, console);
   if (!settings) return settings.error();
+  settings->source.evaluate.purpose = Purpose::Check;
   ExitCode worst = ExitCode::Done;
   std::size_t faulty = 0;
   for (const std::string& file : options.files) {

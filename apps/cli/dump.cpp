@@ -19,7 +19,7 @@ ExitCode run(const DumpOptions& options, const Console& console) {
   if (!made) return made.error();
   std::string text;
   if (options.tokens) text += language::print_words(*made->file);
-  if (options.ast) text += language::print_syntax(made->result.syntax);
+  if (options.ast) text += language::print_syntax(*made->file);
   if (options.elements) text += language::print_elements(made->result.elements);
   if (!options.tokens && !options.ast && !options.elements) text = to_text(*made->result.path);
   return write_result(options.request.output, text, console);

@@ -72,10 +72,10 @@ std::shared_ptr<const SourceFile> decode_source(const std::string& name, std::st
   return std::make_shared<const SourceFile>(name == kStream ? "<stdin>" : name, bytes, encoding);
 }
 
-Compilation compile_bytes(const std::string& name, std::string_view bytes,
-                          const SourceSettings& settings) {
+Compilation compile_source(const std::string& name, std::shared_ptr<const SourceFile> source,
+                           const SourceSettings& settings) {
   Compilation made;
-  made.file = decode_source(name, bytes, settings.encoding);
+  made.file = std::move(source);
   const InputLanguage by_name = language_of(name).value_or(InputLanguage::Dgt);
   switch (settings.from.value_or(by_name)) {
     case InputLanguage::Dgt:
@@ -98,9 +98,11 @@ Compilation compile_bytes(const std::string& name, std::string_view bytes,
 }
 
 FileResult<Compilation> compile_file(const std::string& name, const SourceSettings& settings) {
-  const auto bytes = read_file(name);
+  auto bytes = read_file(name);
   if (!bytes) return tl::unexpected(bytes.error());
-  return compile_bytes(name, *bytes, settings);
+  auto source = decode_source(name, *bytes, settings.encoding);
+  bytes = {};  // a large program is not kept twice
+  return compile_source(name, std::move(source), settings);
 }
 
 }  // namespace dgt

@@ -9,12 +9,12 @@ namespace dgt {
 CompileResult compile(const SourceFile& file, SourceLoader& loader, const EvaluateOptions& options,
                       DiagnosticBag& bag) {
   CompileResult result;
-  result.syntax = language::parse(file, bag);
+  language::ProgramReader program(file, bag);
   language::Evaluator evaluator(loader, options, bag);
-  Toolpath path = evaluator.run(result.syntax);
+  Toolpath path = evaluator.run(program);
   result.elements = evaluator.elements();
   result.files = evaluator.files();
-  bag.sort();
+  bag.sort(&file);
   if (!bag.has_errors()) result.path = std::move(path);
   return result;
 }

@@ -9,7 +9,6 @@
 #include "kernel/contour.h"
 #include "lang/dgt/elements.h"
 #include "lang/dgt/loader.h"
-#include "lang/dgt/syntax.h"
 #include "lang/text/diagnostic.h"
 
 namespace dgt {
@@ -23,7 +22,14 @@ struct EvaluateBounds {
   std::uint32_t text_depth = 100;   ///< B in B
 };
 
+/// What a program is compiled for.
+enum class Purpose : std::uint8_t {
+  Path,
+  Check  ///< for what is wrong with it: the moves are worked out and not kept
+};
+
 struct EvaluateOptions {
+  Purpose purpose = Purpose::Path;
   /// Where W > 0 lies, until a comment `'@ offset-side left|right|auto` in the source says
   /// otherwise.
   OffsetSide offset_side = OffsetSide::Auto;
@@ -38,8 +44,8 @@ struct EvaluateOptions {
 
 /// What a program comes to.
 struct CompileResult {
-  std::optional<Toolpath> path;     ///< nothing when there is an error
-  language::Program syntax;         ///< of the program itself, without its macros
+  /// Nothing when there is an error; without moves when only a check was wanted.
+  std::optional<Toolpath> path;
   language::ElementTable elements;  ///< as they stand at the end
   /// Macros and definition files that were read. Diagnostics point into them and into the program.
   std::vector<std::shared_ptr<const SourceFile>> files;

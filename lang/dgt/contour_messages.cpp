@@ -4,6 +4,7 @@
 // from.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -52,12 +53,16 @@ double signed_area(const std::vector<Move>& moves) {
 
 class ContourReporter {
  public:
-  ContourReporter(const OpenContour& contour, DiagnosticBag& bag) : contour_(contour), bag_(bag) {}
+  ContourReporter(const OpenContour& contour, const Rational& offset, DiagnosticBag& bag)
+      : contour_(contour), offset_(offset), bag_(bag) {}
 
   void report(const ContourFault& fault) {
     if (is_mirrored(fault)) return;
     Diagnostic diagnostic = describe(fault);
-    diagnostic.notes = largest_offset(fault.largest_offset);
+    if (names_two(fault)) mark_other(diagnostic, other_of(fault));
+    for (Note& note : largest_offset(fault.largest_offset)) {
+      diagnostic.notes.push_back(std::move(note));
+    }
     add(std::move(diagnostic), fault.item);
   }
 
@@ -67,17 +72,16 @@ class ContourReporter {
       case Notice::SideChosen:
         add({message_of_side(notice.side, built), origin.range, {origin.text()}}, notice.item);
         return;
-      case Notice::JoinedGap:
-        add({Message::GapJoined,
-             origin.range,
-             {origin.text(), name(notice.other), millimetres(notice.measure)}},
-            notice.item);
+      case Notice::JoinedGap: {
+        Diagnostic joined{Message::GapJoined,
+                          origin.range,
+                          {origin.text(), name(notice.other), millimetres(notice.measure)}};
+        mark_other(joined, notice.other);
+        add(std::move(joined), notice.item);
         return;
+      }
       case Notice::Gouge:
-        add({Message::GougeAllowed, origin.range, gouge_arguments(notice),
-             largest_offset(notice.largest_offset)},
-            notice.item);
-        return;
+        return;  // told together
       case Notice::AgainstDirection:
         break;
     }
@@ -88,6 +92,37 @@ class ContourReporter {
          {},
          FixIt{origin.range, turned, Certainty::Guess}},
         notice.item);
+  }
+
+  /// One slip makes gouges all along a contour. With the element known that has to be turned round
+  /// there is one fault to tell; else one for each element that takes part in several.
+  void report_gouges(const BuiltContour& built, const std::optional<Turn>& turn) {
+    std::vector<GougeTold> gouges = gouges_of(built);
+    while (!gouges.empty()) {
+      const std::size_t culprit = turn ? turn->item : most_frequent(gouges);
+      const auto takes_part = [&](const GougeTold& g) {
+        return turn || contour_.first_of_word(g.item) == culprit ||
+               contour_.first_of_word(g.other) == culprit;
+      };
+      const GougeTold first = *std::ranges::find_if(gouges, takes_part);
+      const bool several = std::ranges::count_if(gouges, takes_part) > 1;
+      std::erase_if(gouges, takes_part);
+      Diagnostic told{first.message,
+                      contour_.origins[first.item].range,
+                      {name(first.item), name(first.other), millimetres(first.measure),
+                       millimetres(first.x), millimetres(first.y)}};
+      if (!turn || turn->item != first.other) mark_other(told, first.other);
+      if (turn) {
+        add_turn(told, *turn);
+      } else {
+        for (Note& note : largest_offset(first.largest)) told.notes.push_back(std::move(note));
+        if (several) {
+          told.notes.push_back(
+              {Message::MoreGouges, contour_.origins[culprit].range, {name(culprit)}});
+        }
+      }
+      add(std::move(told), first.item);
+    }
   }
 
   /// A contour with an offset that does not close: often a side was forgotten, now and then it is
@@ -108,9 +143,82 @@ class ContourReporter {
   }
 
  private:
+  // A gouge, be it a fault or, when gouges are allowed, a notice.
+  struct GougeTold {
+    Message message;
+    std::size_t item = 0;
+    std::size_t other = 0;
+    double measure = 0, x = 0, y = 0;
+    std::optional<Rational> largest;
+  };
+
+  static std::vector<GougeTold> gouges_of(const BuiltContour& built) {
+    std::vector<GougeTold> gouges;
+    const auto take = [&](Message message, const auto& g) {
+      gouges.push_back({message, g.item, g.other, g.measure, g.x, g.y, g.largest_offset});
+    };
+    for (const ContourFault& f : built.faults) {
+      if (f.kind == Fault::Gouge) take(Message::Gouge, f);
+    }
+    for (const ContourNotice& n : built.notices) {
+      if (n.kind == Notice::Gouge) take(Message::GougeAllowed, n);
+    }
+    return gouges;
+  }
+
+  // The word that takes part in most of them, the first of several; by its first item.
+  [[nodiscard]] std::size_t most_frequent(const std::vector<GougeTold>& gouges) const {
+    std::map<std::size_t, int> counts;
+    for (const GougeTold& g : gouges) {
+      ++counts[contour_.first_of_word(g.item)];
+      ++counts[contour_.first_of_word(g.other)];
+    }
+    return std::ranges::max_element(counts, {}, [](const auto& c) { return c.second; })->first;
+  }
+
+  void add_turn(Diagnostic& told, const Turn& turn) const {
+    const ItemOrigin& origin = contour_.origins[turn.item];
+    const std::string turned = reversed_word(origin);
+    told.notes.push_back({Message::CutWhenTurned, origin.range, {turned}});
+    told.fix_it = FixIt{origin.range, turned, Certainty::Guess};
+  }
+
   void add(Diagnostic diagnostic, std::size_t item) {
     add_expansion(diagnostic, contour_.origins[item].expansion);
     bag_.add(std::move(diagnostic));
+  }
+
+  // Faults of two elements, both of which the message names.
+  static bool names_two(const ContourFault& fault) {
+    switch (fault.kind) {
+      case Fault::NoMeeting:
+      case Fault::SameElement:
+      case Fault::Impossible:
+      case Fault::NoChoice:
+      case Fault::EqualCandidates:
+      case Fault::BevelKinds:
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  // An element that misses the line X or Y beside it is reported with itself.
+  [[nodiscard]] std::size_t other_of(const ContourFault& fault) const {
+    const bool itself = fault.kind == Fault::NoMeeting && fault.other == fault.item;
+    return itself ? axis_beside(fault.item) : fault.other;
+  }
+
+  // Underlined in the same line, else with a note of its own.
+  void mark_other(Diagnostic& diagnostic, std::size_t other) const {
+    const Range& range = contour_.origins[other].range;
+    if (range == diagnostic.range) return;
+    if (range.file == diagnostic.range.file &&
+        range.place().line == diagnostic.range.place().line) {
+      diagnostic.other = range;
+    } else {
+      diagnostic.notes.push_back({Message::OtherElement, range, {name(other)}});
+    }
   }
 
   // What misses on the way in misses by as much on the way out.
@@ -134,15 +242,8 @@ class ContourReporter {
 
   [[nodiscard]] std::string name(std::size_t item) const { return contour_.origins[item].text(); }
 
-  // Of a fault or notice about a gouge.
-  template <class Told>
-  [[nodiscard]] std::vector<std::string> gouge_arguments(const Told& told) const {
-    return {name(told.item), name(told.other), millimetres(told.measure), millimetres(told.x),
-            millimetres(told.y)};
-  }
-
   [[nodiscard]] std::vector<Note> largest_offset(const std::optional<Rational>& largest) const {
-    if (!largest || sgn(*largest) == 0) return {};
+    if (!largest || sgn(*largest) == 0 || *largest == offset_) return {};
     return {{Message::LargestOffset, range_of_offset(), {to_short_decimal(*largest)}}};
   }
 
@@ -185,8 +286,7 @@ class ContourReporter {
     switch (fault.kind) {
       case Fault::NoMeeting: {
         const Message m = fault.on_equidistant ? Message::OffsetsDoNotMeet : Message::NoMeeting;
-        const std::size_t other = fault.other == fault.item ? axis_beside(fault.item) : fault.other;
-        return {m, range, {name(fault.item), name(other), millimetres(fault.measure)}};
+        return {m, range, {name(fault.item), name(other_of(fault)), millimetres(fault.measure)}};
       }
       case Fault::SameElement:
         return two(Message::SameElement);
@@ -228,8 +328,7 @@ class ContourReporter {
         return one_measured(Message::OffElement);
       case Fault::Overrun:
         return one(Message::Overrun);
-      case Fault::Gouge:
-        return {Message::Gouge, range, gouge_arguments(fault)};
+      case Fault::Gouge:  // told together
       case Fault::ZeroValue:
         break;
     }
@@ -248,7 +347,6 @@ class ContourReporter {
     return fault.item;
   }
 
-  // An element that misses the line X or Y beside it is reported with itself.
   [[nodiscard]] std::size_t axis_beside(std::size_t item) const {
     const auto is_axis = [&](std::size_t i) {
       return i < contour_.items.size() && std::holds_alternative<AxisItem>(contour_.items[i].what);
@@ -261,16 +359,24 @@ class ContourReporter {
   }
 
   const OpenContour& contour_;
+  const Rational& offset_;  // W
   DiagnosticBag& bag_;
   std::set<std::string, std::less<>> missed_;
 };
 
 }  // namespace
 
-void report(const BuiltContour& built, const OpenContour& contour, DiagnosticBag& bag) {
-  ContourReporter reporter(contour, bag);
-  for (const ContourFault& fault : built.faults) reporter.report(fault);
-  for (const ContourNotice& notice : built.notices) reporter.report(notice, built);
+void report(const BuiltContour& built, const OpenContour& contour, const std::optional<Turn>& turn,
+            DiagnosticBag& bag) {
+  ContourReporter reporter(contour, built.offset, bag);
+  for (const ContourFault& fault : built.faults) {
+    if (fault.kind != Fault::Gouge) reporter.report(fault);
+  }
+  reporter.report_gouges(built, turn);
+  // Of a contour with a cure, what is left to say with it.
+  for (const ContourNotice& notice : (turn ? turn->built : built).notices) {
+    reporter.report(notice, turn ? turn->built : built);
+  }
   const bool cut_to_size = built.side != Side::None && built.faults.empty();
   if (cut_to_size && !built.closed) reporter.report_open_end(built);
 }

@@ -43,10 +43,16 @@ void ContourWriter::end() {
   if (!open_) return;
   const OpenContour contour = *std::exchange(open_, std::nullopt);
   if (contour.broken || contour.items.empty()) return;
+  const ToolState before = state_;
   BuiltContour built = build_contour(contour.items, state_, options_);
-  report(built, contour, evaluation_.bag);
+  // Nobody reads what is past the end of the list.
+  const bool is_told = evaluation_.bag.error_count() <= DiagnosticBag::kMaxKept;
+  const auto turn = is_told ? find_turn(contour, built, before, options_) : std::optional<Turn>();
+  report(built, contour, turn, evaluation_.bag);
   if (!built.faults.empty() || built.moves.empty()) return;
-  check_limit(path_.moves.size() + built.moves.size(), contour.range);
+  made_ += built.moves.size();
+  check_limit(made_, contour.range);
+  if (evaluation_.options.purpose == Purpose::Check) return;
   Contour& made = path_.contours.emplace_back();
   made.id = contour.id;
   made.offset = built.offset;
@@ -264,7 +270,7 @@ void ContourWriter::act(const std::vector<Item>& words) {
       push_stop(MoveKind::Dwell, item).seconds = shared(*value);
     }
   }
-  if (!words.empty()) check_limit(path_.moves.size(), words.front().range);
+  if (!words.empty()) check_limit(made_, words.front().range);
 }
 
 void ContourWriter::act_on_g(const std::vector<Item>& items, std::size_t& i) {
@@ -294,6 +300,8 @@ void ContourWriter::travel_to(const RationalPoint& to, Role role, const Item& it
 }
 
 Move& ContourWriter::push_stop(MoveKind kind, const Item& item) {
+  if (evaluation_.options.purpose == Purpose::Check) path_.moves.clear();
+  ++made_;
   Move& move = path_.moves.emplace_back();
   move.kind = kind;
   move.from = move.to = state_.at;

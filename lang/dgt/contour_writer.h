@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "kernel/contour.h"
+#include "lang/dgt/contour_turn.h"
 #include "lang/dgt/evaluation.h"
 
 namespace dgt::language {
@@ -30,10 +32,18 @@ struct OpenContour {
   std::vector<ItemOrigin> origins;  ///< one for each item
   bool broken = false;              ///< a fault has been reported; nothing is built
   bool has_beginning = true;        ///< a K began it
+
+  /// The first item that the word of this one made: a word in a loop makes several.
+  [[nodiscard]] std::size_t first_of_word(std::size_t item) const {
+    std::size_t first = 0;
+    while (origins[first].range != origins[item].range) ++first;
+    return first;
+  }
 };
 
-/// Tells the faults and notices of a built contour in the user's words.
-void report(const BuiltContour& built, const OpenContour& contour, DiagnosticBag& bag);
+/// Tells the faults and notices of a built contour in the user's words. `turn`: what would cure it.
+void report(const BuiltContour& built, const OpenContour& contour, const std::optional<Turn>& turn,
+            DiagnosticBag& bag);
 
 /// Turns contour items and word lines into the tool path.
 class ContourWriter {
@@ -115,6 +125,7 @@ class ContourWriter {
   std::optional<OpenContour> open_;
   CurrentFrame frame_;
   std::vector<const SourceFile*> files_;  // of path_.files
+  std::uint64_t made_ = 0;                // moves so far, kept or not
   bool over_limit_ = false;
 };
 

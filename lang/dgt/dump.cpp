@@ -5,6 +5,7 @@
 
 #include "lang/dgt/lexer.h"
 #include "lang/dgt/line_parser.h"
+#include "lang/dgt/parser.h"
 
 namespace dgt::language {
 namespace {
@@ -125,17 +126,21 @@ std::string print_words(const SourceFile& file) {
   return out;
 }
 
-std::string print_syntax(const Program& program) {
+std::string print_syntax(const SourceFile& file) {
+  DiagnosticBag ignored;
+  ProgramReader reader(file, ignored);
   std::string out;
-  std::size_t depth = 0;
-  for (std::size_t i = 0; i < program.statements.size(); ++i) {
-    const Statement& statement = program.statements[i];
-    if (std::holds_alternative<LoopEnd>(statement.body)) --depth;
-    out +=
-        fmt::format("{}{}: {}{}\n", std::string(2 * depth, ' '), statement.range.place().line,
-                    std::visit(BodyPrinter{}, statement.body), statement.broken ? " (broken)" : "");
-    const ForLoop* const loop = std::get_if<ForLoop>(&statement.body);
-    if (loop != nullptr && loop->end > i) ++depth;
+  for (Program piece; reader.next(piece);) {
+    std::size_t depth = 0;
+    for (std::size_t i = 0; i < piece.statements.size(); ++i) {
+      const Statement& statement = piece.statements[i];
+      if (std::holds_alternative<LoopEnd>(statement.body)) --depth;
+      out += fmt::format("{}{}: {}{}\n", std::string(2 * depth, ' '), statement.range.place().line,
+                         std::visit(BodyPrinter{}, statement.body),
+                         statement.broken ? " (broken)" : "");
+      const ForLoop* const loop = std::get_if<ForLoop>(&statement.body);
+      if (loop != nullptr && loop->end > i) ++depth;
+    }
   }
   return out;
 }

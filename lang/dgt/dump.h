@@ -12,7 +12,7 @@ namespace dgt::language {
 [[nodiscard]] std::string print_words(const SourceFile& file);
 
 /// One line per statement, its kind in front, loops indented: `definition C2 = PR: P(14,0) R-5`.
-[[nodiscard]] std::string print_syntax(const Program& program);
+[[nodiscard]] std::string print_syntax(const SourceFile& file);
 
 /// A number as the canonical layout writes it: `-0.5`, `N3`, `-N3`; empty when absent.
 [[nodiscard]] std::string to_text(const Number& number);

@@ -55,17 +55,26 @@ const ElementEntry* Evaluation::look_up(const Item& item, const ElementName& nam
   const ElementEntry* entry = elements.find(kind, name.number);
   const bool undefined = entry == nullptr || entry->state == ElementEntry::State::Undefined;
   if (undefined && !names_missing) {
-    report_undefined(item, name);
+    report_undefined(Message::UndefinedElement, item, name);
     elements.at(kind, name.number).state = ElementEntry::State::Unknown;
   }
   return undefined || entry->state == ElementEntry::State::Unknown ? nullptr : entry;
 }
 
+void Evaluation::warn_if_undefined(const Item& item) {
+  const ElementName name{item.letter, item.number.whole, item.number.minus};
+  const ElementEntry* const entry =
+      elements.find(static_cast<ElementKind>(name.letter), name.number);
+  if (entry == nullptr || entry->state == ElementEntry::State::Undefined) {
+    report_undefined(Message::UndefinedInSkippedLoop, item, name);
+  }
+}
+
 // With the definition that was meant, where one can be told: the same name later in the program, or
 // a name that is one slip of the finger away.
-void Evaluation::report_undefined(const Item& item, const ElementName& name) {
+void Evaluation::report_undefined(Message message, const Item& item, const ElementName& name) {
   const std::string written = to_text(ElementName{name.letter, name.number, false});
-  Diagnostic fault{Message::UndefinedElement, item.range, {written}};
+  Diagnostic fault{message, item.range, {written}};
   if (bag.error_count() > DiagnosticBag::kMaxKept) return report(std::move(fault));  // not shown
   if (std::optional<Note> later = defined_later(item, name)) {
     fault.notes.push_back(*std::move(later));
@@ -82,19 +91,17 @@ void Evaluation::report_undefined(const Item& item, const ElementName& name) {
   report(std::move(fault));
 }
 
-std::optional<Note> Evaluation::defined_later(const Item& item, const ElementName& name) const {
-  for (const Program* const program : running) {
-    for (const Statement& statement : program->statements) {
-      const auto* const definition = std::get_if<Definition>(&statement.body);
-      if (definition == nullptr) continue;
-      const Item& target = definition->target;
-      const bool same = target.letter == name.letter && !target.number.is_absent() &&
-                        !target.number.is_variable() && target.number.whole == name.number &&
-                        !lies_in(item.range, statement.range);
-      if (same) {
-        const std::string written = to_text(ElementName{name.letter, name.number, false});
-        return Note{Message::DefinedLater, target.range, {written}};
-      }
+// The sources are read a second time for this, once each, so that no program without such a fault
+// pays for it.
+std::optional<Note> Evaluation::defined_later(const Item& item, const ElementName& name) {
+  for (const SourceFile* const file : call_stack) {
+    auto places = definition_places_.find(file);
+    if (places == definition_places_.end()) {
+      places = definition_places_.emplace(file, DefinitionPlaces(*file)).first;
+    }
+    if (const auto target = places->second.first_outside(item.range, name.letter, name.number)) {
+      const std::string written = to_text(ElementName{name.letter, name.number, false});
+      return Note{Message::DefinedLater, *target, {written}};
     }
   }
   return std::nullopt;

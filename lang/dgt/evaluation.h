@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lang/dgt/compile.h"
+#include "lang/dgt/definition_places.h"
 #include "lang/dgt/elements.h"
 #include "lang/dgt/expansion.h"
 #include "lang/dgt/syntax.h"
@@ -40,8 +42,6 @@ class Evaluation {
   /// The files being executed, the program first; definition files it has read stand for it.
   std::vector<const SourceFile*> call_stack;
   std::vector<const SourceFile*> definition_files;
-  /// The programs of `call_stack`.
-  std::vector<const Program*> running;
   /// What is being executed inside what.
   ExpansionStack expansion;
 
@@ -58,6 +58,9 @@ class Evaluation {
   [[nodiscard]] std::optional<ElementName> name_of(const Item& item);
   /// What is defined under the name of an L, C, P or O.
   [[nodiscard]] const ElementEntry* look_up(const Item& item, const ElementName& name);
+  /// Warns of an element that a loop without rounds would miss. Precondition: its number is
+  /// written.
+  void warn_if_undefined(const Item& item);
   /// A line or circle in the direction of its name.
   [[nodiscard]] ElementPtr element(const Item& item, const ElementName& name);
   /// A point, by number or inline.
@@ -69,9 +72,11 @@ class Evaluation {
   [[nodiscard]] bool is_caller(const SourceFile* owner) const;
 
  private:
-  void report_undefined(const Item& item, const ElementName& name);
-  [[nodiscard]] std::optional<Note> defined_later(const Item& item, const ElementName& name) const;
+  void report_undefined(Message message, const Item& item, const ElementName& name);
+  [[nodiscard]] std::optional<Note> defined_later(const Item& item, const ElementName& name);
   [[nodiscard]] std::optional<ElementName> similar_name(const ElementName& name) const;
+
+  std::map<const SourceFile*, DefinitionPlaces> definition_places_;
 };
 
 /// Executes a definition: the element, or the fault with its message.

@@ -15,14 +15,21 @@ Overloaded(Fs...) -> Overloaded<Fs...>;
 
 }  // namespace
 
-Toolpath Evaluator::run(const Program& program) {
-  shared_.call_stack = {program.file};
-  execute(program);
+Toolpath Evaluator::run(ProgramReader& program) {
+  shared_.call_stack = {&program.file()};
+  for (Program piece; program.next(piece); forget_splices(piece)) {
+    if (!stopped_) execute(piece);  // what comes after a stop is still parsed, for its faults
+  }
   return contours_.finish();
 }
 
+void Evaluator::forget_splices(const Program& program) {
+  for (const Statement& statement : program.statements) {
+    if (const auto* const line = std::get_if<SplicedLine>(&statement.body)) splices_.erase(line);
+  }
+}
+
 void Evaluator::execute(const Program& program) {
-  shared_.running.push_back(&program);
   std::vector<Loop> loops;
   for (std::size_t at = 0; at < program.statements.size() && !stopped_;) {
     if (!count_statement(program.statements[at])) break;
@@ -33,7 +40,6 @@ void Evaluator::execute(const Program& program) {
     shared_.expansion.pop();
     --loop_depth_;
   }
-  shared_.running.pop_back();
 }
 
 void Evaluator::stop(Message message, const Range& range, std::uint64_t limit) {
@@ -52,8 +58,8 @@ bool Evaluator::count_statement(const Statement& statement) {
 
 std::size_t Evaluator::step(const Program& program, std::size_t at, std::vector<Loop>& loops) {
   const Statement& statement = program.statements[at];
-  if (const auto* const loop = std::get_if<ForLoop>(&statement.body)) {
-    return enter_loop(*loop, statement, at, loops);
+  if (std::holds_alternative<ForLoop>(statement.body)) {
+    return enter_loop(program, at, loops);
   }
   if (std::holds_alternative<LoopEnd>(statement.body)) {
     DGT_CHECK(!loops.empty());
@@ -70,11 +76,16 @@ std::size_t Evaluator::step(const Program& program, std::size_t at, std::vector<
   return at + 1;
 }
 
-std::size_t Evaluator::enter_loop(const ForLoop& loop, const Statement& statement, std::size_t at,
+std::size_t Evaluator::enter_loop(const Program& program, std::size_t at,
                                   std::vector<Loop>& loops) {
+  const Statement& statement = program.statements[at];
+  const ForLoop& loop = std::get<ForLoop>(statement.body);
   if (loop.end == at) return at + 1;  // it has no NEXT, which has been reported
   Integer rounds = rounds_of(loop, statement.broken);
-  if (rounds == 0) return loop.end + 1;
+  if (rounds == 0) {
+    check_skipped(std::span(program.statements).subspan(at + 1, loop.end - at - 1));
+    return loop.end + 1;
+  }
   const std::uint32_t limit = shared_.options.bounds.loop_depth;
   if (loop_depth_ == limit) stop(Message::LoopsTooDeep, statement.range, limit);
   ++loop_depth_;

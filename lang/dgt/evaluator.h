@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "lang/dgt/contour_writer.h"
 #include "lang/dgt/evaluation.h"
 #include "lang/dgt/loader.h"
+#include "lang/dgt/parser.h"
 
 namespace dgt::language {
 
@@ -21,7 +23,7 @@ class Evaluator {
       : loader_(loader), bag_(bag), shared_(options, bag), contours_(shared_) {}
 
   /// Runs the program to its end and gives its path, of use when no error was reported.
-  [[nodiscard]] Toolpath run(const Program& program);
+  [[nodiscard]] Toolpath run(ProgramReader& program);
 
   [[nodiscard]] const ElementTable& elements() const { return shared_.elements; }
   /// The files read on the way.
@@ -43,11 +45,12 @@ class Evaluator {
 
   // evaluator.cpp
   void execute(const Program& program);
+  void forget_splices(const Program& program);
   [[nodiscard]] bool count_statement(const Statement& statement);
   /// Where to go on after the statement at `at`.
   [[nodiscard]] std::size_t step(const Program& program, std::size_t at, std::vector<Loop>& loops);
-  [[nodiscard]] std::size_t enter_loop(const ForLoop& loop, const Statement& statement,
-                                       std::size_t at, std::vector<Loop>& loops);
+  [[nodiscard]] std::size_t enter_loop(const Program& program, std::size_t at,
+                                       std::vector<Loop>& loops);
   [[nodiscard]] Integer rounds_of(const ForLoop& loop, bool broken);
   void execute_simple(const Statement& statement);
   void execute(const ContourStart& start, bool broken);
@@ -56,6 +59,9 @@ class Evaluator {
   void stop(Message message, const Range& range, std::uint64_t limit);
   /// Ends the open contour because of what stands at `by`.
   void end_contour(const Range& by);
+
+  // evaluator_skipped.cpp
+  void check_skipped(std::span<const Statement> body);
 
   // evaluator_values.cpp
   void execute(const NumberAssignment& assignment, const Statement& statement);

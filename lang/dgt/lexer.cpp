@@ -6,6 +6,8 @@
 #include "lang/dgt/lexer.h"
 
 #include <array>
+#include <functional>
+#include <set>
 
 #include "lang/text/look_alike.h"
 #include "lang/text/reading.h"
@@ -49,6 +51,8 @@ bool Lexer::next_line(Line& line) {
   in_quotes_ = false;
   for (at_ = skip_blanks(at_); at_ < end_; at_ = skip_blanks(at_)) read_word();
   if (in_quotes_) close_open_quote();
+  report_look_alikes(Message::LookAlike, letters_);
+  report_look_alikes(Message::TypographicSign, signs_);
   return true;
 }
 
@@ -98,14 +102,33 @@ void Lexer::fail(Message message, Range range, std::vector<std::string> argument
   bag_.add({message, range, std::move(arguments)});
 }
 
-void Lexer::report_look_alike(std::uint32_t begin, std::string_view latin) {
-  const Range range = from(begin);
+void Lexer::note_look_alike(std::uint32_t begin, std::string_view latin) {
   const bool is_letter = latin.front() >= 'A';
-  bag_.add({is_letter ? Message::LookAlike : Message::TypographicSign,
-            range,
-            {std::string(range.text()), std::string(latin)},
-            {},
-            FixIt{range, std::string(latin)}});
+  (is_letter ? letters_ : signs_).push_back({from(begin), std::string(latin)});
+}
+
+// One report a line, from the first of them to the last: who types a line in the wrong layout
+// types all of it so.
+void Lexer::report_look_alikes(Message message, std::vector<LookAlike>& found) {
+  if (found.empty()) return;
+  const Range range = join(found.front().range, found.back().range);
+  std::string written;
+  std::string latin;
+  std::string replacement;
+  std::set<std::string, std::less<>> told;
+  const auto list = [&](std::string& names, std::string_view name) {
+    if (told.emplace(name).second) names.append(names.empty() ? "" : ", ").append(name);
+  };
+  std::uint32_t done = range.begin;
+  for (const LookAlike& one : found) {
+    replacement += text_.substr(done, one.range.begin - done);
+    replacement += one.latin;
+    done = one.range.end;
+    list(written, one.range.text());
+    list(latin, one.latin);
+  }
+  bag_.add({message, range, {written, latin}, {}, FixIt{range, replacement}});
+  found.clear();
 }
 
 void Lexer::read_word() {
@@ -134,7 +157,7 @@ void Lexer::read_word() {
     case '*':
     case '/':
       at_ += c.size;
-      if (c.foreign) report_look_alike(begin, "-");
+      if (c.foreign) note_look_alike(begin, "-");
       push(WordKind::Operator, begin).letter = c.latin;
       return;
     case '"':
@@ -169,7 +192,7 @@ bool Lexer::read_keyword() {
     if (matched < keyword.text.size()) continue;
     const std::uint32_t begin = at_;
     at_ = at;
-    if (foreign) report_look_alike(begin, keyword.text);
+    if (foreign) note_look_alike(begin, keyword.text);
     push(keyword.kind, begin);
     if (keyword.kind == WordKind::Mac || keyword.kind == WordKind::Opr) read_name();
     return true;
@@ -195,7 +218,7 @@ void Lexer::read_letter(const Character& letter) {
     read_sign_and_number(ignored);
     return;
   }
-  if (letter.foreign) report_look_alike(begin, std::string_view(&letter.latin, 1));
+  if (letter.foreign) note_look_alike(begin, std::string_view(&letter.latin, 1));
   Word& word = push(WordKind::Letter, begin);
   word.letter = letter.latin;
 
@@ -231,7 +254,7 @@ void Lexer::read_sign_and_number(Word& word) {
   if (form == NumberForm::None) return;
   if (has_sign && sign.foreign) {
     at_ = sign_at + sign.size;
-    report_look_alike(sign_at, "-");
+    note_look_alike(sign_at, "-");
   }
   word.minus = sign.latin == '-';
   at_ = digits_at;
@@ -284,7 +307,7 @@ void Lexer::read_decimal(Word& word) {
 void Lexer::read_quote(const Character& quote) {
   const std::uint32_t begin = at_;
   at_ += quote.size;
-  if (quote.foreign) report_look_alike(begin, "\"");
+  if (quote.foreign) note_look_alike(begin, "\"");
   push(in_quotes_ ? WordKind::QuoteClose : WordKind::QuoteOpen, begin);
   in_quotes_ = !in_quotes_;
 }
@@ -301,7 +324,7 @@ void Lexer::close_open_quote() {
 void Lexer::read_comment(const Character& apostrophe) {
   const std::uint32_t begin = at_;
   at_ += apostrophe.size;
-  if (apostrophe.foreign) report_look_alike(begin, "'");
+  if (apostrophe.foreign) note_look_alike(begin, "'");
   const std::uint32_t text = at_ + 1;
   const bool directive = byte(at_) == '@';
   at_ = end_;

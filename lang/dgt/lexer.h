@@ -12,8 +12,8 @@
 namespace dgt::language {
 
 /// Cuts a DGT source into words, line by line, in one pass. Blanks, comments and the case of
-/// letters are gone from what it gives; Cyrillic look-alikes have become Latin letters, each with a
-/// warning.
+/// letters are gone from what it gives; Cyrillic look-alikes and typographic signs have become what
+/// they stand for, with one warning of either a line.
 class Lexer {
  public:
   /// Digits of one number, more of which is an error: no length on a drawing has as many, and a
@@ -34,6 +34,11 @@ class Lexer {
 
  private:
   struct Character;
+  /// What was written otherwise than it is read.
+  struct LookAlike {
+    Range range;
+    std::string latin;
+  };
 
   [[nodiscard]] Character look(std::uint32_t at) const;
   [[nodiscard]] char byte(std::uint32_t at) const { return at < end_ ? text_[at] : '\0'; }
@@ -54,7 +59,8 @@ class Lexer {
   void read_quote(const Character& quote);
   void close_open_quote();
   void report_unknown_characters();
-  void report_look_alike(std::uint32_t begin, std::string_view latin);
+  void note_look_alike(std::uint32_t begin, std::string_view latin);
+  void report_look_alikes(Message message, std::vector<LookAlike>& found);
   void fail(Message message, Range range, std::vector<std::string> arguments);
 
   const SourceFile& file_;
@@ -67,6 +73,8 @@ class Lexer {
   std::uint32_t counted_columns_ = 1;
   bool in_quotes_ = false;
   Line* line_ = nullptr;
+  std::vector<LookAlike> letters_;  // of the line
+  std::vector<LookAlike> signs_;
 };
 
 }  // namespace dgt::language

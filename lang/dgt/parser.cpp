@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lang/dgt/parser.h"
 
-#include "lang/dgt/lexer.h"
 #include "lang/dgt/line_parser.h"
 
 namespace dgt::language {
@@ -27,67 +26,76 @@ Directive directive_of(const Word& word) {
   return {key, value.empty() ? behind(key) : range_within(word.range, value)};
 }
 
-class FileParser {
- public:
-  FileParser(const SourceFile& file, DiagnosticBag& bag) : lexer_(file, bag), bag_(bag) {
-    program_.file = &file;
-    program_.statements.reserve(file.line_count());
-  }
-
-  Program run() {
-    Lexer::Line line;
-    while (lexer_.next_line(line)) add(line);
-    for (const std::size_t open : open_loops_) {
-      bag_.add({Message::ForWithoutNext, program_.statements[open].range, {}});
-      // The loop keeps no body, so that what follows is still read.
-      program_.statements[open].broken = true;
-      std::get<ForLoop>(program_.statements[open].body).end = open;
-    }
-    return std::move(program_);
-  }
-
- private:
-  void add(Lexer::Line& line) {
-    std::vector<Word>& words = line.words;
-    // A directive closes its line, and holds for it.
-    if (!words.empty() && words.back().is(WordKind::Directive)) {
-      Directive directive = directive_of(words.back());
-      const bool says_nothing = directive.key.begin == directive.key.end;
-      if (!says_nothing) {
-        program_.statements.push_back({std::move(directive), words.back().range, false});
-      }
-      words.pop_back();
-    }
-    if (words.empty()) return;
-    Statement statement = LineParser(words, line.broken, bag_).parse();
-    if (std::holds_alternative<ForLoop>(statement.body)) {
-      open_loops_.push_back(program_.statements.size());
-    } else if (LoopEnd* const end = std::get_if<LoopEnd>(&statement.body)) {
-      if (!close_loop(*end, statement.range)) return;
-    }
-    program_.statements.push_back(std::move(statement));
-  }
-
-  bool close_loop(LoopEnd& end, Range range) {
-    if (open_loops_.empty()) {
-      bag_.add({Message::NextWithoutFor, range, {}});
-      return false;
-    }
-    end.begin = open_loops_.back();
-    open_loops_.pop_back();
-    std::get<ForLoop>(program_.statements[end.begin].body).end = program_.statements.size();
-    return true;
-  }
-
-  Lexer lexer_;
-  DiagnosticBag& bag_;
-  Program program_;
-  std::vector<std::size_t> open_loops_;
-};
-
 }  // namespace
 
-Program parse(const SourceFile& file, DiagnosticBag& bag) { return FileParser(file, bag).run(); }
+bool ProgramReader::next(Program& piece) {
+  piece.file = &file_;
+  piece.statements.clear();
+  while (piece.statements.empty() || !open_loops_.empty()) {
+    if (read_line(piece)) continue;
+    give_up_open_loops(piece);
+    break;
+  }
+  return !piece.statements.empty();
+}
+
+void ProgramReader::read_rest(Program& program) {
+  program.file = &file_;
+  while (read_line(program)) continue;
+  give_up_open_loops(program);
+}
+
+bool ProgramReader::read_line(Program& program) {
+  if (!lexer_.next_line(line_)) return false;
+  std::vector<Word>& words = line_.words;
+  // A directive closes its line, and holds for it.
+  if (!words.empty() && words.back().is(WordKind::Directive)) {
+    Directive directive = directive_of(words.back());
+    const bool says_nothing = directive.key.begin == directive.key.end;
+    if (!says_nothing) {
+      program.statements.push_back({std::move(directive), words.back().range, false});
+    }
+    words.pop_back();
+  }
+  if (words.empty()) return true;
+  Statement statement = LineParser(words, line_.broken, bag_).parse();
+  if (std::holds_alternative<ForLoop>(statement.body)) {
+    open_loops_.push_back(program.statements.size());
+  } else if (LoopEnd* const end = std::get_if<LoopEnd>(&statement.body)) {
+    if (!close_loop(program, *end, statement.range)) return true;
+  }
+  program.statements.push_back(std::move(statement));
+  return true;
+}
+
+bool ProgramReader::close_loop(Program& program, LoopEnd& end, const Range& range) {
+  if (open_loops_.empty()) {
+    bag_.add({Message::NextWithoutFor, range, {}});
+    return false;
+  }
+  end.begin = open_loops_.back();
+  open_loops_.pop_back();
+  std::get<ForLoop>(program.statements[end.begin].body).end = program.statements.size();
+  return true;
+}
+
+// At the end of the file. Such a loop keeps no body, so that what follows it is still executed.
+void ProgramReader::give_up_open_loops(Program& program) {
+  for (const std::size_t open : open_loops_) {
+    Statement& statement = program.statements[open];
+    bag_.add({Message::ForWithoutNext, statement.range, {}});
+    statement.broken = true;
+    std::get<ForLoop>(statement.body).end = open;
+  }
+  open_loops_.clear();
+}
+
+Program parse(const SourceFile& file, DiagnosticBag& bag) {
+  Program program;
+  program.statements.reserve(file.line_count());
+  ProgramReader(file, bag).read_rest(program);
+  return program;
+}
 
 std::optional<Statement> parse_spliced(std::span<const Word> words, bool broken,
                                        DiagnosticBag& bag) {

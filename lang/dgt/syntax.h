@@ -125,7 +125,7 @@ struct Statement {
   bool broken = false;  ///< an error in it has been reported; what it makes is unknown
 };
 
-/// A parsed source file: its statements in order, loops flat.
+/// Statements of a source file in order, loops flat: all of them or a piece with whole loops.
 struct Program {
   const SourceFile* file = nullptr;
   std::vector<Statement> statements;

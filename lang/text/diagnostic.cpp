@@ -31,6 +31,21 @@ std::string shortened(const std::string& argument) {
   return end < argument.size() ? argument.substr(0, end) + "…" : argument;
 }
 
+// What stands behind as many messages of a severity as are kept.
+Message message_of_end(Severity severity) {
+  switch (severity) {
+    case Severity::Error:
+      return Message::TooManyDiagnostics;
+    case Severity::Warning:
+      return Message::TooManyWarnings;
+    case Severity::Note:
+      break;
+  }
+  return Message::TooManyNotes;
+}
+
+bool is_end(Message message) { return message == message_of_end(info(message).severity); }
+
 }  // namespace
 
 const MessageInfo& info(Message message) { return kMessages.at(static_cast<std::size_t>(message)); }
@@ -45,19 +60,25 @@ std::string text(Message message, std::span<const std::string> arguments, Langua
 }
 
 void DiagnosticBag::add(Diagnostic diagnostic) {
-  const bool is_error = diagnostic.severity() == Severity::Error;
-  const auto& range = diagnostic.range;
+  const Severity severity = diagnostic.severity();
+  std::size_t& kept = kept_.at(static_cast<std::size_t>(severity));
+  const bool is_error = severity == Severity::Error;
+  if (kept > kMaxKept) {
+    if (is_error) ++error_count_;
+    return;
+  }
+  const Range range = diagnostic.range;
   if (!seen_.emplace(range.file, range.begin, range.end, diagnostic.message).second) return;
   if (is_error) ++error_count_;
-  if (diagnostics_.size() > kMaxKept) return;
-  if (diagnostics_.size() == kMaxKept) {
-    diagnostic = {Message::TooManyDiagnostics, range, {std::to_string(kMaxKept)}};
+  if (++kept > kMaxKept) {
+    diagnostic = {message_of_end(severity), range, {std::to_string(kMaxKept)}};
   }
   diagnostics_.push_back(std::move(diagnostic));
 }
 
-void DiagnosticBag::sort() {
+void DiagnosticBag::sort(const SourceFile* first) {
   std::vector<const SourceFile*> files;
+  if (first != nullptr) files.push_back(first);
   for (const Diagnostic& d : diagnostics_) {
     if (std::find(files.begin(), files.end(), d.range.file) == files.end()) {
       files.push_back(d.range.file);
@@ -65,12 +86,9 @@ void DiagnosticBag::sort() {
   }
   const auto key = [&](const Diagnostic& d) {
     const auto file = std::find(files.begin(), files.end(), d.range.file);
-    return std::pair(file, d.range.begin);
+    return std::tuple(is_end(d.message), file, d.range.begin);
   };
-  const auto last = std::find_if(diagnostics_.begin(), diagnostics_.end(), [](const auto& d) {
-    return d.message == Message::TooManyDiagnostics;
-  });
-  std::stable_sort(diagnostics_.begin(), last,
+  std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -65,6 +66,8 @@ struct Diagnostic {
   std::vector<std::string> arguments;  ///< what the placeholders stand for
   std::vector<Note> notes = {};
   std::optional<FixIt> fix_it = std::nullopt;
+  /// A second place at fault, in the line of `range`; both are underlined.
+  std::optional<Range> other = std::nullopt;
 
   [[nodiscard]] Severity severity() const { return info(message).severity; }
   [[nodiscard]] std::string_view code() const { return info(message).code; }
@@ -75,7 +78,8 @@ struct Diagnostic {
 [[nodiscard]] std::string text(Message message, std::span<const std::string> arguments, Language);
 
 /// Collects diagnostics. The same message about the same range is kept once, so a fault inside a
-/// loop is told once; past kMaxKept errors and warnings the rest is only counted.
+/// loop is told once. Of each severity kMaxKept are kept, so that remarks never crowd out errors;
+/// past them one more says so, and errors are only counted.
 class DiagnosticBag {
  public:
   static constexpr std::size_t kMaxKept = 1000;
@@ -87,12 +91,14 @@ class DiagnosticBag {
   [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
 
-  /// Puts the diagnostics in the order of their places: files as first met, then top to bottom.
-  void sort();
+  /// Puts the diagnostics in the order of their places: those in `first`, then files as first met;
+  /// in each of them top to bottom.
+  void sort(const SourceFile* first = nullptr);
 
  private:
   std::vector<Diagnostic> diagnostics_;
   std::set<std::tuple<const SourceFile*, std::uint32_t, std::uint32_t, Message>> seen_;
+  std::array<std::size_t, 3> kept_{};  // by severity
   std::size_t error_count_ = 0;
 };
 

@@ -112,49 +112,63 @@ class Window {
   std::vector<std::uint32_t> columns_;  // of the characters shown, then of the end
 };
 
-void append_source(std::string& out, const Range& range, const std::optional<FixIt>& fix_it,
-                   Colour colour) {
-  const Place place = range.place();
-  const std::uint32_t at = place.column - 1;
-  const Window window(range.file->line_text(place.line), at);
+// `^~~~` under the range, `~~` under the other place when it is in the line and in view.
+std::string marks_below(const Window& window, const Diagnostic& d) {
+  const Place place = d.range.place();
+  const std::uint32_t begin = window.column_of(place.column - 1);
+  const std::uint32_t end = std::max(window.column_of(place.column - 1 + place.length), begin + 1);
+  std::string marks(begin, ' ');
+  marks.append("^").append(end - begin - 1, '~');
+  if (!d.other || d.other->file != d.range.file) return marks;
+  const Place other = d.other->place();
+  if (other.line != place.line || !window.shows(other.column - 1)) return marks;
+  const std::uint32_t from = window.column_of(other.column - 1);
+  const std::uint32_t to = std::max(window.column_of(other.column - 1 + other.length), from + 1);
+  if (marks.size() < to) marks.resize(to, ' ');
+  for (std::uint32_t i = from; i < to; ++i) {
+    if (marks[i] == ' ') marks[i] = '~';
+  }
+  return marks;
+}
+
+void append_source(std::string& out, const Diagnostic& d, Colour colour) {
+  const Place place = d.range.place();
+  const Window window(d.range.file->line_text(place.line), place.column - 1);
   const Style green = style("\x1b[1;32m", colour);
-  const auto below = [&](std::uint32_t column, const std::string& shown) {
-    fmt::format_to(std::back_inserter(out), "{}{}{}{}\n", std::string(column, ' '), green.begin,
+  const auto line = [&](std::size_t indent, std::string_view shown) {
+    fmt::format_to(std::back_inserter(out), "{}{}{}{}\n", std::string(indent, ' '), green.begin,
                    shown, green.end);
   };
   out.append(window.text()).append("\n");
-  const std::uint32_t begin = window.column_of(at);
-  const std::uint32_t end = std::max(window.column_of(at + place.length), begin + 1);
-  below(begin, "^" + std::string(end - begin - 1, '~'));
+  const std::string marks = marks_below(window, d);
+  const std::size_t first = marks.find_first_not_of(' ');
+  line(first, std::string_view(marks).substr(first));
 
-  if (!fix_it || fix_it->replacement.empty() || fix_it->range.file != range.file) return;
+  const auto& fix_it = d.fix_it;
+  if (!fix_it || fix_it->replacement.empty() || fix_it->range.file != d.range.file) return;
   const Place fix = fix_it->range.place();
   if (fix.line != place.line || !window.shows(fix.column - 1)) return;
-  below(window.column_of(fix.column - 1), visible(fix_it->replacement));
+  line(window.column_of(fix.column - 1), visible(fix_it->replacement));
 }
 
-void append(std::string& out, Message message, const Range& range,
-            std::span<const std::string> arguments, const std::optional<FixIt>& fix_it,
-            const RenderOptions& options) {
-  const Place place = range.place();
-  const Severity severity = info(message).severity;
+void append(std::string& out, const Diagnostic& d, const RenderOptions& options) {
+  const Place place = d.range.place();
   const Style bold = style("\x1b[1m", options.colour);
-  const Style hue = style(severity_escape(severity), options.colour);
+  const Style hue = style(severity_escape(d.severity()), options.colour);
   fmt::format_to(std::back_inserter(out), "{}{}:{}:{}:{} {}{}:{} {}{}{} [{}]\n", bold.begin,
-                 visible(range.file->name()), place.line, place.column, bold.end, hue.begin,
-                 severity_word(severity), hue.end, bold.begin,
-                 text(message, arguments, options.language), bold.end, info(message).code);
-  append_source(out, range, fix_it, options.colour);
+                 visible(d.range.file->name()), place.line, place.column, bold.end, hue.begin,
+                 severity_word(d.severity()), hue.end, bold.begin,
+                 text(d.message, d.arguments, options.language), bold.end, d.code());
+  append_source(out, d, options.colour);
 }
 
 }  // namespace
 
 std::string render(const Diagnostic& diagnostic, const RenderOptions& options) {
   std::string out;
-  append(out, diagnostic.message, diagnostic.range, diagnostic.arguments, diagnostic.fix_it,
-         options);
+  append(out, diagnostic, options);
   for (const Note& note : diagnostic.notes) {
-    append(out, note.message, note.range, note.arguments, std::nullopt, options);
+    append(out, {note.message, note.range, note.arguments}, options);
   }
   return out;
 }

@@ -95,6 +95,7 @@ class Run {
                    {"level", level(d.severity())},
                    {"message", message(d.message, d.arguments)},
                    {"locations", Json::array({location(d.range)})}};
+    if (d.other) result["relatedLocations"].push_back(location(*d.other));
     for (const Note& note : d.notes) {
       Json related = location(note.range);
       related["message"] = text_object(sentence(note.message, note.arguments));

@@ -87,7 +87,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   (void)render(bag, {Language::English, Colour::Plain});
   (void)render(bag, {Language::Russian, Colour::Ansi});
   (void)language::print_words(file);
-  (void)language::print_syntax(result.syntax);
+  (void)language::print_syntax(file);
   if (result.path) (void)to_text(*result.path);
   (void)apply_fixes(file, bag);
   check_layout(file);

@@ -73,8 +73,31 @@ TEST(DiagnosticBag, CountsOnPastItsLimitAndSaysSoOnce) {
   EXPECT_EQ(bag.all().size(), DiagnosticBag::kMaxKept + 1);
   const std::string last = render(bag.all().back());
   EXPECT_EQ(last.substr(0, last.find('\n')),
-            "a.bgt:1:1001: error: more than 1000 faults; the rest is not shown [DGT0001]");
+            "a.bgt:1:1001: error: more than 1000 errors; the rest is not shown [DGT0001]");
   EXPECT_EQ(bag.error_count(), 3000U);
+}
+
+TEST(DiagnosticBag, RemarksAndWarningsNeverCrowdOutErrors) {
+  const SourceFile file("a.bgt", std::string(3000, 'x'));
+  DiagnosticBag bag;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    bag.add({Message::InRound, {&file, i, i + 1}, {"2"}});
+    bag.add({Message::LookAlike, {&file, i, i + 1}, {"x", "X"}});
+  }
+  EXPECT_FALSE(bag.has_errors());
+  bag.add({Message::Unexpected, {&file, 2999, 3000}, {"x"}});
+  bag.sort();
+  const auto& all = bag.all();
+  ASSERT_EQ(all.size(), 2 * (DiagnosticBag::kMaxKept + 1) + 1);
+  EXPECT_EQ(all[all.size() - 3].message, Message::Unexpected);
+  const auto first_line = [](const Diagnostic& d) {
+    const std::string shown = render(d);
+    return shown.substr(0, shown.find('\n'));
+  };
+  EXPECT_EQ(first_line(all[all.size() - 2]),
+            "a.bgt:1:1001: note: more than 1000 remarks; the rest is not shown [DGT0003]");
+  EXPECT_EQ(first_line(all.back()),
+            "a.bgt:1:1001: warning: more than 1000 warnings; the rest is not shown [DGT0002]");
 }
 
 TEST(DiagnosticBag, SortsByFileAsFirstMetThenByPlace) {

@@ -87,22 +87,32 @@ TEST(Lexer, WordsKnowTheirPlaceInCharacters) {
   EXPECT_EQ(lexed.line.words[2].number().text(), "5");
 }
 
-TEST(Lexer, LookAlikesAreReadWithAWarning) {
+TEST(Lexer, LookAlikesAreReadWithOneWarningALine) {
   const Lexed lexed("В1=\"С2,\"");
   EXPECT_EQ(words("В1=\"С2,\""), "1: B1 = \" C2 , \"\n");
   EXPECT_EQ(render(lexed.bag),
-            "t.bgt:1:1: warning: 'В' is not Latin; read as 'B' [DGT0103]\n"
-            "В1=\"С2,\"\n^\nB\n"
-            "t.bgt:1:5: warning: 'С' is not Latin; read as 'C' [DGT0103]\n"
-            "В1=\"С2,\"\n    ^\n    C\n");
+            "t.bgt:1:1: warning: 'В, С' typed in Cyrillic, read as 'B, C' [DGT0103]\n"
+            "В1=\"С2,\"\n^~~~~\nB1=\"C\n");
   EXPECT_FALSE(lexed.line.broken);
 }
 
 TEST(Lexer, AKeywordInCyrillicIsWarnedOfOnce) {
   const Lexed lexed("МАС KVAD 1,");
   EXPECT_EQ(render(lexed.bag),
-            "t.bgt:1:1: warning: 'МАС' is not Latin; read as 'MAC' [DGT0103]\n"
+            "t.bgt:1:1: warning: 'МАС' typed in Cyrillic, read as 'MAC' [DGT0103]\n"
             "МАС KVAD 1,\n^~~\nMAC\n");
+}
+
+TEST(Lexer, ALookAlikeIsNamedOnceHoweverOftenItComes) {
+  EXPECT_EQ(render(Lexed("K1 С1 L1 С2 − С3−1 − 2").bag),
+            "t.bgt:1:4: warning: 'С' typed in Cyrillic, read as 'C' [DGT0103]\n"
+            "K1 С1 L1 С2 − С3−1 − 2\n"
+            "   ^~~~~~~~~~~~\n"
+            "   C1 L1 C2 − C\n"
+            "t.bgt:1:13: warning: '−' is read as - [DGT0113]\n"
+            "K1 С1 L1 С2 − С3−1 − 2\n"
+            "            ^~~~~~~~\n"
+            "            - С3-1 -\n");
 }
 
 TEST(Lexer, SmallLookAlikesAndTypographicMinusAreReadToo) {

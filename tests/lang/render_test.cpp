@@ -26,7 +26,7 @@ TEST(Render, ShowsPlaceTextCodeLineCaretAndFixIt) {
   const Range range{&file, begin, begin + 4};
   const Diagnostic diagnostic{Message::LookAlike, range, {"Р14", "P14"}, {}, FixIt{range, "P14"}};
   EXPECT_EQ(render(diagnostic),
-            "a.bgt:1:5: warning: 'Р14' is not Latin; read as 'P14' [DGT0103]\n"
+            "a.bgt:1:5: warning: 'Р14' typed in Cyrillic, read as 'P14' [DGT0103]\n"
             "        С2 Р14 L5\n"
             "           ^~~\n"
             "           P14\n");
@@ -35,6 +35,21 @@ TEST(Render, ShowsPlaceTextCodeLineCaretAndFixIt) {
             "        С2 Р14 L5\n"
             "           ^~~\n"
             "           P14\n");
+}
+
+TEST(Render, UnderlinesASecondPlaceInTheSameLine) {
+  const SourceFile file("a.bgt", "K1 L12 R5 C3\nC3\n");
+  Diagnostic d{Message::NothingToReverse, {&file, 3, 6}, {"P"}};
+  d.other = Range{&file, 10, 12};
+  const auto below = [&] {
+    const std::string shown = render(d);
+    return shown.substr(shown.find('\n') + 1);
+  };
+  EXPECT_EQ(below(), "K1 L12 R5 C3\n   ^~~    ~~\n");
+  std::swap(d.range, *d.other);  // the other one stands before it
+  EXPECT_EQ(below(), "K1 L12 R5 C3\n   ~~~    ^~\n");
+  d.other = Range{&file, 13, 15};
+  EXPECT_EQ(below(), "K1 L12 R5 C3\n          ^~\n");
 }
 
 TEST(Render, ColoursOnlyWhenAsked) {

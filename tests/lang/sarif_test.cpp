@@ -116,7 +116,7 @@ TEST(Sarif, AResultHoldsRuleLevelMessagePlaceNotesAndFix) {
   EXPECT_EQ(run["language"], "en");
   EXPECT_EQ(run["results"], Json::parse(R"json([{
     "ruleId": "DGT0103", "ruleIndex": 0, "level": "warning",
-    "message": {"text": "'Р14' is not Latin; read as 'P14'", "id": "en",
+    "message": {"text": "'Р14' typed in Cyrillic, read as 'P14'", "id": "en",
                 "arguments": ["Р14", "P14"]},
     "locations": [{"physicalLocation": {
       "artifactLocation": {"uri": "p.bgt", "index": 0},
