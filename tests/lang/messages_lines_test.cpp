@@ -141,7 +141,8 @@ t.bgt:2:4: warning: there is no directive 'kerf'; offset-side is one [DGT0612]
 }
 
 TEST(DgtMessagesOfLines, ALoopWithoutRoundsIsWarnedOfNamesThatNoRoundFinds) {
-  EXPECT_EQ(CompiledProgram(R"(L1=X0
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=X0
 FOR N1
 L2=L1 D5
 L3=L7 D5
@@ -149,8 +150,8 @@ K1 L1 C-12 L2 LN2 P1 O0,
 NEXT
 L7=Y5
 )")
-                .messages(),
-            R"(t.bgt:4:4: warning: L7 is not defined here; nothing fails only because the loop runs 0 times [DGT0326]
+          .messages(),
+      R"(t.bgt:4:4: warning: L7 is not defined here; nothing fails only because the loop runs 0 times [DGT0326]
 L3=L7 D5
    ^~
 t.bgt:7:1: note: L7 is defined only here, after its use [DGT0325]

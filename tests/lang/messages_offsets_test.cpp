@@ -190,7 +190,7 @@ K1 W2.001 L1 C2 L-2 C-1
    ^~~~~~
 t.bgt:6:17: warning: on its way along L-2 the tool cuts 0.002 mm deep into C2, at X9.41742431 Y0.001 [DGT0509]
 K1 W2.001 L1 C2 L-2 C-1
-                ^~~
+             ~~ ^~~
 t.bgt:6:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.001 L1 C2 L-2 C-1
    ^~~~~~
@@ -257,7 +257,8 @@ K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
 
 // Sample 2P with two minus signs forgotten: no single one of them cures it.
 TEST(DgtMessagesOfOffsets, OneSlipInALoopIsOneGouge) {
-  EXPECT_EQ(CompiledProgram(R"(L1=Y2
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=Y2
 L2=Y-2
 C1=X0 Y0 R7
 C2=X14 Y0 R-5
@@ -269,8 +270,8 @@ AN1, L1 C2 L-2 C1
 NEXT
 A-0, L1 C2
 )")
-                .messages(),
-            R"(t.bgt:6:9: note: the offset lies outside the closed contour, on the side of L1 where the tool stands before it [DGT0515]
+          .messages(),
+      R"(t.bgt:6:9: note: the offset lies outside the closed contour, on the side of L1 where the tool stands before it [DGT0515]
 K1 W0.2 L1 C2 L-2 C1
         ^~
 t.bgt:6:19: error: on its way along C1 the tool cuts 0.2 mm deep into L-2, at X1.72627249 Y-6.98999165 [DGT0508]
@@ -287,7 +288,8 @@ K1 W0.2 L1 C2 L-2 C1
 
 // The same in the loop alone: the one word that is at fault is told, whatever it cuts into.
 TEST(DgtMessagesOfOffsets, TheMinusForgottenInALoopIsFound) {
-  EXPECT_EQ(CompiledProgram(R"(L1=Y2
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=Y2
 L2=Y-2
 C1=X0 Y0 R7
 C2=X14 Y0 R-5
@@ -299,8 +301,8 @@ AN1, L1 C2 L2 C-1
 NEXT
 A-0, L1 C2
 )")
-                .messages(),
-            R"(t.bgt:6:9: note: the offset lies inside the closed contour, on the side of L1 where the tool stands before it [DGT0514]
+          .messages(),
+      R"(t.bgt:6:9: note: the offset lies inside the closed contour, on the side of L1 where the tool stands before it [DGT0514]
 K1 W0.2 L1 C2 L-2 C-1
         ^~
 t.bgt:6:15: error: on its way along L-2 the tool cuts 0.2 mm deep into C-1, at X6.76461381 Y-1.8 [DGT0508]
