@@ -173,6 +173,34 @@ std::optional<GridPoint> best_centre(WrittenArc arc, const Chord& chord, const A
   return best;
 }
 
+/// The arc that a written one is read as: through its ends about the foot of its centre on the
+/// bisector of the chord (lang/nc/arc.h).
+ArcBalls arc_read(const WrittenArc& arc, const Chord& chord) {
+  const long double along = (static_cast<long double>(arc.centre.x) - chord.mx) * chord.nx +
+                            (static_cast<long double>(arc.centre.y) - chord.my) * chord.ny;
+  return {{Ball(chord.mx + along * chord.nx, 0), Ball(chord.my + along * chord.ny, 0)},
+          Ball(std::hypot(along, chord.half), 0),
+          balls(arc.from),
+          balls(arc.to),
+          arc.ccw,
+          arc.major};
+}
+
+/// From `centre` to one that is chosen again where the written arc is read and written: what the
+/// search about the first foot did not reach may serve better. Each step costs less than the one
+/// before by the difference of the radii alone, and no more beside the exact arc, since the errors
+/// in the middle add up along one line.
+GridPoint settled_centre(WrittenArc arc, const Chord& chord, GridPoint centre, double limit) {
+  constexpr int kMostSteps = 4096;
+  for (int step = 0; step < kMostSteps; ++step) {
+    arc.centre = centre;
+    const auto next = best_centre(arc, chord, arc_read(arc, chord), limit);
+    if (!next || *next == centre) break;
+    centre = *next;
+  }
+  return centre;
+}
+
 }  // namespace
 
 std::optional<FittedArc> fit_by_radius(const GridPoint& from, const GridPoint& to,
@@ -192,10 +220,10 @@ std::optional<FittedArc> fit_by_radius(const GridPoint& from, const GridPoint& t
     const std::int64_t radius = std::max(candidate, least);
     if (radius == previous) continue;
     previous = radius;
-    const double deviation =
-        deviation_of_arc(radius_form(from, to, exact.ccw, exact.major, radius), 0, exact);
+    const ArcBalls written = radius_form(from, to, exact.ccw, exact.major, radius);
+    const double deviation = deviation_of_arc(written, 0, exact);
     if (best && !(deviation < best->deviation)) continue;
-    best = FittedArc{{from, to, exact.ccw, exact.major, radius, {}}, deviation, 0};
+    best = FittedArc{{from, to, exact.ccw, exact.major, radius, {}}, deviation, 0, written};
   }
   return best;
 }
@@ -204,12 +232,14 @@ std::optional<FittedArc> fit_by_centre(const GridPoint& from, const GridPoint& t
                                        const ArcBalls& exact, double most_mismatch) {
   if (from == to) return std::nullopt;
   WrittenArc arc{from, to, exact.ccw, exact.major, 0, {}};
-  const auto centre = best_centre(arc, chord_of(from, to, exact.ccw), exact, most_mismatch);
+  const Chord chord = chord_of(from, to, exact.ccw);
+  const auto centre = best_centre(arc, chord, exact, most_mismatch);
   if (!centre) return std::nullopt;
-  arc.centre = *centre;
+  arc.centre = settled_centre(arc, chord, *centre, most_mismatch);
   arc.major = is_major(arc);
   const BandedArc banded = centre_form(arc);
-  return FittedArc{arc, deviation_of_arc(banded.arc, banded.band, exact), banded.mismatch};
+  return FittedArc{arc, deviation_of_arc(banded.arc, banded.band, exact), banded.mismatch,
+                   arc_read(arc, chord)};
 }
 
 }  // namespace dgt

@@ -22,7 +22,8 @@ struct FittedArc {
   WrittenArc arc;
   double deviation = 0;  ///< certified, in units
   double mismatch =
-      0;  ///< upper bound of the difference of the two radii, in units; radius form: 0
+      0;             ///< upper bound of the difference of the two radii, in units; radius form: 0
+  ArcBalls as_read;  ///< what a reader makes of it (lang/nc/arc.h)
 };
 
 /// The best whole radius for an arc from `from` to `to`.

@@ -62,15 +62,15 @@ class Divider {
  public:
   Divider(const ExactArc& whole, const ArcLimits& limits) : whole_(whole), limits_(limits) {}
 
-  /// The piece as one arc, if that is exact on the grid; then there is nothing to gain by dividing
-  /// it.
+  /// The piece as one arc, if that is exact on the grid, or is what a reader makes of an arc on the
+  /// grid; then there is nothing to gain by dividing it.
   std::optional<WrittenPiece> exactly(const ArcPiece& piece) const {
     if (distance_bound(balls(piece.from), piece.exact.from) > kExactDeviation ||
         distance_bound(balls(piece.to), piece.exact.to) > kExactDeviation)
       return std::nullopt;
     const auto fitted = fit(piece);
-    if (!fitted || fitted->deviation > kExactDeviation || fitted->mismatch > limits_.mismatch ||
-        is_too_small(fitted->arc))
+    if (!fitted || !is_read_as(fitted->as_read, piece.exact) ||
+        fitted->mismatch > limits_.mismatch || is_too_small(fitted->arc))
       return std::nullopt;
     return as_arc(piece, *fitted);
   }
@@ -91,8 +91,13 @@ class Divider {
   void append(const ArcPiece& piece, int divisions, std::vector<WrittenPiece>& out) const {
     if (sagitta_bound(piece.exact) < kLeastSagitta) return append_line(piece, out);
     if (const auto fitted = fit(piece); fitted && acceptable(*fitted)) {
-      out.push_back(as_arc(piece, *fitted));
-      return;
+      // Rounding may have flattened it, and read again it would be a line.
+      if (!(sagitta_bound(fitted->as_read) < kLeastSagitta)) {
+        out.push_back(as_arc(piece, *fitted));
+        return;
+      }
+      if (deviation_of_chord(piece.from, piece.to, piece.exact) <= kWorstDeviation)
+        return append_line(piece, out);
     }
     if (divisions == 0) return append_line(piece, out);
     append_parts(piece, 2, divisions - 1, out);
@@ -112,6 +117,12 @@ class Divider {
   }
 
  private:
+  static bool is_read_as(const ArcBalls& read, const ArcBalls& exact) {
+    const Ball radii = read.radius - exact.radius;
+    return distance_bound(read.centre, exact.centre) <= kExactDeviation &&
+           std::fabs(radii.mid) + radii.rad <= kExactDeviation;
+  }
+
   ArcBalls part(const BallPoint& from, const BallPoint& to) const {
     return {whole_.arc.centre, whole_.arc.radius, from, to, whole_.arc.ccw, false};
   }

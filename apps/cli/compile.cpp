@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/cli/compile.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,11 +27,17 @@ std::string rounded_up(double value) {
 }
 
 ExitCode run(const CompileOptions& options, const Console& console) {
-  const Request& request = options.request;
   if (options.post == kList) {
-    return write_result(request.output, names_of_dialects("\n") + "\n", console);
+    return write_result(options.request.output, names_of_dialects("\n") + "\n", console);
   }
-  const auto settings = settle(request.source, console, options.post);
+  return write_for(options.request, options.post, console);
+}
+
+}  // namespace
+
+ExitCode write_for(const Request& request, const std::string& dialect_name,
+                   const Console& console) {
+  const auto settings = settle(request.source, console, dialect_name);
   if (!settings) return settings.error();
   const Dialect& dialect = settings->dialect;
   if (dialect.name.empty()) {
@@ -48,8 +56,6 @@ ExitCode run(const CompileOptions& options, const Console& console) {
   }
   return code;
 }
-
-}  // namespace
 
 void add_compile(CLI::App& app, Job& job) {
   const auto options = std::make_shared<CompileOptions>();

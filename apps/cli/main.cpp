@@ -61,6 +61,7 @@ void declare(CLI::App& app, Job& job) {
   app.require_subcommand(1);
   app.footer(kFooter);
   add_compile(app, job);
+  add_convert(app, job);
   add_check(app, job);
   add_format(app, job);
   add_path(app, job);

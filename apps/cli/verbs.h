@@ -21,6 +21,7 @@ struct Job {
 void add_check(CLI::App& app, Job& job);
 void add_compile(CLI::App& app, Job& job);
 void add_format(CLI::App& app, Job& job);
+void add_convert(CLI::App& app, Job& job);
 void add_dump(CLI::App& app, Job& job);
 void add_info(CLI::App& app, Job& job);
 void add_offset(CLI::App& app, Job& job);

@@ -2,8 +2,8 @@
 //
 // With the chord w and the centre c seen from the beginning, q = |w|² and d = |c|² − |c − w|² =
 // 2 c·w − q, the foot of the centre on the bisector is c − w d/2q, and its squared distance from
-// either end |c|² − d²/4q. All of it is worked out in whole numbers over one denominator, since
-// lowest terms would cost more than the rest.
+// either end |c|² − d/2 − d²/4q. All of it is worked out in whole numbers over one denominator,
+// since lowest terms would cost more than the rest.
 #include "lang/nc/arc.h"
 
 #include <cmath>
@@ -129,7 +129,8 @@ Circle circle_by_centre(const Spot& from, const Spot& chord, const Spot& centre,
   }
   const Integer scale = 2 * q;
   const WholeVector foot{c.x * scale - w.x * d, c.y * scale - w.y * d};
-  const Rational radius = dyadic_root(2 * scale * s - d * d, 2 * scale * whole.unit * whole.unit);
+  const Rational radius =
+      dyadic_root(2 * scale * s - d * (scale + d), 2 * scale * whole.unit * whole.unit);
   return {dyadic_sum(from, foot, whole.unit, scale), signed_radius(radius, counter_clockwise)};
 }
 

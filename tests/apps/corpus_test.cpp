@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -112,6 +113,24 @@ TEST(Corpus, EveryGoldenFileBelongsToAProgram) {
     if (!entry.is_regular_file()) continue;
     EXPECT_TRUE(wanted.contains(entry.path())) << entry.path();
   }
+}
+
+// --- written, read and written again ------------------------------------------------------------
+
+TEST(Corpus, WhatIsWrittenComesBackByteForByteWhenReadAndWrittenAgain) {
+  const std::map<fs::path, std::string> dialects = {
+      {".ess", "essi"}, {".cnc", "plasmatic"}, {".ngc", "linuxcnc"}};
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(golden(""))) {
+    const auto dialect = dialects.find(entry.path().extension());
+    if (dialect == dialects.end()) continue;
+    const Outcome again =
+        support::run_dgt({"convert", entry.path().string(), "--to", dialect->second});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(again.out, read_text(entry.path())) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 300U);
 }
 
 // --- programs that say the same -----------------------------------------------------------------
