@@ -60,6 +60,21 @@ bool is_closed(const std::vector<Move>& programmed) {
 }
 
 void add_equidistant(const ContourLegs& legs, int side, const ContourOptions& options,
+                     const Path& programmed, BuiltContour& out, ToolState& state);
+
+/// Whether everything would go well with round corners.
+bool works_round(const ContourLegs& legs, int side, ContourOptions options, const Path& programmed,
+                 const BuiltContour& built) {
+  options.corner = CornerStyle::Round;
+  options.gouge = GougePolicy::Error;
+  BuiltContour trial;
+  trial.programmed = built.programmed;
+  ToolState state;
+  add_equidistant(legs, side, options, programmed, trial, state);
+  return trial.faults.empty();
+}
+
+void add_equidistant(const ContourLegs& legs, int side, const ContourOptions& options,
                      const Path& programmed, BuiltContour& out, ToolState& state) {
   const Shifts shifts = shifts_for(legs, side);
   Path equidistant(legs, shifts, options, true);
@@ -74,6 +89,10 @@ void add_equidistant(const ContourLegs& legs, int side, const ContourOptions& op
           return path.faults.empty();
         });
   }
+  const bool at_corner = std::any_of(out.faults.begin(), out.faults.end(),
+                                     [](const auto& f) { return f.round_works; });
+  if (at_corner && !works_round(legs, side, options, programmed, out))
+    for (ContourFault& f : out.faults) f.round_works = false;
   const bool followed = std::all_of(out.faults.begin(), out.faults.end(),
                                     [](const auto& f) { return f.kind == Kind::Overrun; });
   if (!followed) return;
@@ -87,6 +106,7 @@ BuiltContour build_contour(const std::vector<ContourItem>& items, ToolState& sta
                            const ContourOptions& options) {
   BuiltContour out;
   ContourLegs legs = lay_out(items, state, options);
+  mark_corners(legs);
   out.offset = legs.steps.front();
   out.notices = std::move(legs.notices);
   out.faults = std::move(legs.faults);

@@ -87,6 +87,13 @@ enum class OffsetSide : std::uint8_t { Auto, Left, Right };
 /// What a tool that cuts into the contour is.
 enum class GougePolicy : std::uint8_t { Error, Warn };
 
+/// How the equidistant goes round a corner on whose outer side the tool runs.
+enum class CornerStyle : std::uint8_t {
+  Extend,  ///< the offset elements are prolonged until they meet
+  Round,   ///< an arc about the programmed corner
+  Chamfer  ///< as Extend, but cut across at the limit
+};
+
 struct ContourOptions {
   /// Where W > 0 lies; Auto: on the side of the first element where the tool stands before the
   /// first contact.
@@ -95,6 +102,11 @@ struct ContourOptions {
   /// with a notice. Default 0.001: a tenth of what a wire machine can show.
   Rational join_tolerance = Rational(1, 1000);
   GougePolicy gouge = GougePolicy::Error;
+  CornerStyle corner = CornerStyle::Extend;
+  /// How far from a programmed corner an extended one may lie, in multiples of the offset: beyond
+  /// it Extend gives a notice and Chamfer cuts across. ≥ 1. 4 is a corner of 29°, and as far as
+  /// drawing programs let a mitre go.
+  Rational corner_limit = 4;
 };
 
 /// What the machine carries from one contour to the next.
@@ -149,6 +161,8 @@ struct ContourFault {
   /// down together with any U, with which this stretch still works.
   std::optional<Rational> largest_offset;
   double x = 0, y = 0;  ///< of a gouge: where the tool stands, mm
+  /// Of elements that miss each other beyond an outer corner: CornerStyle::Round makes the contour.
+  bool round_works = false;
 };
 
 /// What the programmer should know although it works.
@@ -157,6 +171,8 @@ struct ContourNotice {
     SideChosen,        ///< by the position of the tool relative to the element `item`
     JoinedGap,         ///< item and other miss each other by `measure` and were joined
     AgainstDirection,  ///< the line `item` is cut against its direction while W ≠ 0
+    LongCorner,        ///< extended, the corner of item and other lies beyond the limit; measure:
+                       ///< how far from the programmed one; at x, y
     Gouge              ///< as the fault, when gouges only warn
   };
   Kind kind;

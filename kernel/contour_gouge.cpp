@@ -13,6 +13,7 @@ constexpr std::size_t kMaxGouges = 10;
 /// A line cut against its direction bounds nothing: the tool is on the other side of it, which has
 /// a notice of its own.
 bool runs_backwards(const Leg& leg, const Move& move) {
+  if (move.role == Role::Corner) return false;
   const auto* line = std::get_if<Line>(leg.element.element.get());
   return line && motion_along(*line, move.from, move.to) < 0;
 }

@@ -13,11 +13,6 @@ using Kind = ContourFault::Kind;
 /// Where a joint's rational stand-in of an irrational point lies beside it.
 constexpr int kFootExponent = -160;
 
-RationalPoint stand_in(const Point& p) {
-  const ExactPoint exact = p.exact();
-  return {rational_within(exact.x, kFootExponent), rational_within(exact.y, kFootExponent)};
-}
-
 Carrier carried(const UsedElement& used, const Shifts& shifts) {
   return {used.element, shifts[used.step]};
 }
@@ -85,6 +80,11 @@ struct Placer {
 
 }  // namespace
 
+RationalPoint rational_near(const Point& p) {
+  const ExactPoint exact = p.exact();
+  return {rational_within(exact.x, kFootExponent), rational_within(exact.y, kFootExponent)};
+}
+
 PlacedJoint place_joint(const Joint& joint, const Shifts& shifts, const ContourOptions& options) {
   return std::visit(Placer{shifts, options}, joint.rule);
 }
@@ -99,7 +99,7 @@ ExactPoint foot_of_normal(const Element& element, const Point& from) {
   }
   const auto& circle = std::get<Circle>(element);
   const RationalPoint& c = circle.centre();
-  const Vector v = stand_in(from) - c;
+  const Vector v = rational_near(from) - c;
   const Rational square = squared_length(v);
   const Rational radius = abs(circle.radius());
   if (const auto root = exact_sqrt(square)) return ExactPoint(c + (radius / *root) * v);
@@ -109,8 +109,8 @@ ExactPoint foot_of_normal(const Element& element, const Point& from) {
 
 bool lies_on(const Element& element, const Point& p) {
   if (const auto* line = std::get_if<Line>(&element))
-    return is_contact(line->distance_to_left(stand_in(p)));
-  return on_circle(std::get<Circle>(element), {p.exact(), stand_in(p), 0});
+    return is_contact(line->distance_to_left(rational_near(p)));
+  return on_circle(std::get<Circle>(element), {p.exact(), rational_near(p), 0});
 }
 
 bool indistinct(const Point& a, const Point& b) {

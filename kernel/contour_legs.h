@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -46,9 +47,19 @@ struct BesideJoint {
   UsedElement on;
 };
 
+/// How the programmed contour turns where a leg along an element ends and the next one begins.
+struct Turn {
+  int sense = 0;  ///< +1 to the left of the travel, −1 to the right, 0: no corner
+  int way = 1;    ///< of travel: −1 where both elements are lines run against their direction
+  /// The corner in which a closed contour begins: the tool comes there by a lead and leaves as from
+  /// the corner in which it ends.
+  bool begins = false;
+};
+
 struct Joint {
   std::variant<FixedJoint, FootJoint, CrossJoint, TangentJoint, AxisJoint, BesideJoint> rule;
   Point programmed;
+  Turn turn{};
 };
 
 struct Leg {
@@ -83,6 +94,9 @@ struct ContourLegs {
 [[nodiscard]] ContourLegs lay_out(const std::vector<ContourItem>& items, ToolState& state,
                                   const ContourOptions& options);
 
+/// Finds the corners between legs, exactly.
+void mark_corners(ContourLegs& legs);
+
 /// How far each step moves an element to the left; null for 0.
 using Shifts = std::vector<RationalPtr>;
 
@@ -95,6 +109,26 @@ struct PlacedJoint {
 };
 [[nodiscard]] PlacedJoint place_joint(const Joint& joint, const Shifts& shifts,
                                       const ContourOptions& options);
+
+/// The way round a corner: on `carrier` from `begin`, which lies on the first offset element, to
+/// `end` on the second. Both lie on the carrier exactly.
+struct CornerPath {
+  Point begin;
+  Point end;
+  Carrier carrier;
+};
+/// Whether the joint is a corner with the tool on its outer side.
+[[nodiscard]] bool is_outer_corner(const Joint& joint, const Shifts& shifts);
+/// Nothing where the offset elements themselves go round, extended to `extended`, if they meet.
+/// Precondition: is_outer_corner.
+[[nodiscard]] std::optional<CornerPath> path_round(const Joint& corner, const Shifts& shifts,
+                                                   const std::optional<Point>& extended,
+                                                   const ContourOptions& options);
+/// Whether the extended corner lies beyond the limit. Precondition: a corner that is offset.
+[[nodiscard]] bool is_long_corner(const Joint& corner, const Shifts& shifts, const Point& extended,
+                                  const ContourOptions& options);
+/// A rational point within 2⁻¹⁶⁰ mm of `p`.
+[[nodiscard]] RationalPoint rational_near(const Point& p);
 
 /// The foot of the normal from `from` on `element`: on a circle, on the ray from its centre through
 /// `from`. Precondition: `from` is not the centre.

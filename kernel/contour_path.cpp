@@ -42,7 +42,7 @@ std::vector<Move> Path::run() {
   if (!faults.empty()) return {};
   std::vector<Move> moves;
   moves.reserve(legs_.legs.size());
-  stands_ = points_.front();
+  stands_ = places_.front().leave;
   for (const Leg& leg : legs_.legs) emit(leg, moves);
   return moves;
 }
@@ -63,13 +63,14 @@ void Path::check_survival(const UsedElement& used) {
 void Path::place(const Joint& joint) {
   // Programmed joints are known; only the offset moves them.
   if (!equidistant_ || std::holds_alternative<FixedJoint>(joint.rule)) {
-    points_.push_back(joint.programmed);
+    places_.push_back({joint.programmed, joint.programmed});
     return;
   }
   if (rests_on_eaten(joint)) {
-    points_.push_back(joint.programmed);
+    places_.push_back({joint.programmed, joint.programmed});
     return;
   }
+  if (is_outer_corner(joint, shifts_)) return place_corner(joint);
   PlacedJoint placed = place_joint(joint, shifts_, options_);
   if (placed.fault) {
     placed.fault->on_equidistant = true;
@@ -79,7 +80,37 @@ void Path::place(const Joint& joint) {
     placed.notice->on_equidistant = true;
     notices.push_back(*placed.notice);
   }
-  points_.push_back(placed.at.value_or(joint.programmed));
+  const Point at = placed.at.value_or(joint.programmed);
+  places_.push_back({at, at});
+}
+
+void Path::place_corner(const Joint& joint) {
+  PlacedJoint placed = place_joint(joint, shifts_, options_);
+  if (auto round = path_round(joint, shifts_, placed.at, options_)) {
+    const bool begins = joint.turn.begins;
+    places_.push_back({begins ? round->end : round->begin, round->end,
+                       begins ? std::nullopt : std::optional(round->carrier)});
+    return;
+  }
+  const Point at = placed.at.value_or(joint.programmed);
+  places_.push_back({at, at});
+  if (placed.fault) {
+    placed.fault->on_equidistant = true;
+    placed.fault->round_works = true;  // as far as this corner goes
+    faults.push_back(*placed.fault);
+  }
+  if (placed.notice) {
+    placed.notice->on_equidistant = true;
+    notices.push_back(*placed.notice);
+  }
+  if (placed.fault || joint.turn.begins || !is_long_corner(joint, shifts_, at, options_)) return;
+  const auto& rule = std::get<CrossJoint>(joint.rule);
+  ContourNotice notice{ContourNotice::Kind::LongCorner, rule.a.item, rule.b.item};
+  notice.measure = std::hypot(at.x() - joint.programmed.x(), at.y() - joint.programmed.y());
+  notice.on_equidistant = true;
+  notice.x = at.x();
+  notice.y = at.y();
+  notices.push_back(notice);
 }
 
 /// An eaten element may only bound another: it is reported here then.
@@ -113,14 +144,14 @@ void Path::emit(const Leg& leg, std::vector<Move>& moves) {
     emit_stop(leg, moves);
     return;
   }
-  const Point& to = points_[leg.to];
+  const Point& to = places_[leg.to].arrive;
   const bool along = leg.travel == Leg::Travel::Along;
   const bool on_line = !along || std::holds_alternative<Line>(*leg.element.element);
   // An arc whose ends come together by growing has become a full turn: the tool just fits.
   const bool full_turn = !on_line && goes_nowhere(leg, stands_, to) && grows(leg);
   if (goes_nowhere(leg, stands_, to) && !full_turn) {
     if (!on_line) report(Kind::ZeroArc, leg.element.item);
-    return;
+    return emit_turn(leg, moves);
   }
   Move& move = moves.emplace_back();
   move.kind = leg.rapid ? MoveKind::Rapid : on_line ? MoveKind::Line : MoveKind::Arc;
@@ -133,6 +164,24 @@ void Path::emit(const Leg& leg, std::vector<Move>& moves) {
   move.feed = leg.feed;
   move.source = leg.place;
   if (along) check_motion(leg, move);
+  stands_ = move.to;
+  leg_of_move.push_back(static_cast<std::size_t>(&leg - legs_.legs.data()));
+  emit_turn(leg, moves);
+}
+
+/// Round the corner at the end of a leg. It belongs to the word behind it, which makes the corner.
+void Path::emit_turn(const Leg& leg, std::vector<Move>& moves) {
+  const Place& place = places_[leg.to];
+  if (!place.turn || leg.travel != Leg::Travel::Along) return;
+  const Leg* const next = beside(leg, +1);
+  Move& move = moves.emplace_back();
+  move.kind = place.turn->is_line() ? MoveKind::Line : MoveKind::Arc;
+  move.role = Role::Corner;
+  move.from = stands_;
+  move.to = place.leave;
+  move.carrier = *place.turn;
+  move.feed = leg.feed;
+  move.source = next ? next->place : leg.place;
   stands_ = move.to;
   leg_of_move.push_back(static_cast<std::size_t>(&leg - legs_.legs.data()));
 }

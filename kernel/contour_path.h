@@ -32,9 +32,11 @@ class Path {
   [[nodiscard]] bool eaten(const UsedElement& used) const;
   void check_survival(const UsedElement& used);
   void place(const Joint& joint);
+  void place_corner(const Joint& joint);
   bool rests_on_eaten(const Joint& joint);
   void emit(const Leg& leg, std::vector<Move>& moves);
   [[nodiscard]] bool grows(const Leg& leg) const;
+  void emit_turn(const Leg& leg, std::vector<Move>& moves);
   void emit_stop(const Leg& leg, std::vector<Move>& moves);
   void check_motion(const Leg& leg, const Move& move);
 
@@ -50,7 +52,13 @@ class Path {
   const Shifts& shifts_;
   const ContourOptions& options_;
   bool equidistant_;
-  std::vector<Point> points_;
+  /// Where a joint is come to and left from; between them, round an outer corner, on `turn`.
+  struct Place {
+    Point arrive;
+    Point leave;
+    std::optional<Carrier> turn{};
+  };
+  std::vector<Place> places_;
   Point stands_;
 };
 

@@ -117,7 +117,7 @@ std::string contour_text(const Contour& contour) {
 bool is_part(const Move& move) {
   if (!move.cuts()) return false;
   return move.role == Role::Contour || move.role == Role::Fillet || move.role == Role::Chamfer ||
-         move.role == Role::Tangent;
+         move.role == Role::Tangent || move.role == Role::Corner;
 }
 
 int half_turn_order(const Move& arc) {
@@ -208,6 +208,8 @@ const char* name_of(Role role) {
       return "position";
     case Role::Thread:
       return "thread";
+    case Role::Corner:
+      return "corner";
   }
   return "";
 }

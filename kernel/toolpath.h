@@ -28,7 +28,8 @@ enum class Role : std::uint8_t {
   Tangent,
   LeadOut,
   Position,
-  Thread
+  Thread,
+  Corner  ///< put in by the equidistant where it goes round an outer corner
 };
 
 /// Where a move was asked for. `file` counts into Toolpath::files; lines and columns from 1,

@@ -49,6 +49,21 @@ bool set_gouge(Settings& settings, std::string_view text) {
   return false;
 }
 
+bool set_corner(Settings& settings, std::string_view text) {
+  CornerStyle& corner = settings.source.evaluate.corner;
+  if (text == "extend") return corner = CornerStyle::Extend, true;
+  if (text == "round") return corner = CornerStyle::Round, true;
+  if (text == "chamfer") return corner = CornerStyle::Chamfer, true;
+  return false;
+}
+
+bool set_corner_limit(Settings& settings, std::string_view text) {
+  auto value = parse_decimal(text);
+  if (!value || *value < 1 || *value > 1000) return false;
+  settings.source.evaluate.corner_limit = *std::move(value);
+  return true;
+}
+
 bool set_join_tolerance(Settings& settings, std::string_view text) {
   auto value = parse_decimal(text);
   if (!value || sgn(*value) < 0) return false;
@@ -156,6 +171,8 @@ constexpr std::array kRules{
          }},
     Rule{{"gcode.positions", "absolute|incremental"}, set_positions},
     Rule{{"gcode.dwell_unit", "s|ms"}, set_read_dwell},
+    Rule{{"corner", "extend|round|chamfer"}, set_corner},
+    Rule{{"corner_limit", "1…1000"}, set_corner_limit},
     Rule{{kMacroPath, "[\"/a\", \"/b\"], /a:/b"}, set_macro_path},
     Rule{{"max_statements", "1…1000000000000"},
          [](Settings& settings, std::string_view text) {

@@ -37,6 +37,9 @@ struct EvaluateOptions {
   Rational join_tolerance = Rational(1, 1000);
   /// What a tool that cuts into the contour is.
   GougePolicy gouge = GougePolicy::Error;
+  /// How the equidistant goes round outer corners; see ContourOptions.
+  CornerStyle corner = CornerStyle::Extend;
+  Rational corner_limit = 4;
   EvaluateBounds bounds;
   /// Of macros and definition files; nothing: as each of them looks.
   std::optional<Encoding> encoding;

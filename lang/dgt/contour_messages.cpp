@@ -63,6 +63,9 @@ class ContourReporter {
     for (Note& note : largest_offset(fault.largest_offset)) {
       diagnostic.notes.push_back(std::move(note));
     }
+    if (fault.round_works) {
+      diagnostic.notes.push_back({Message::CornerChoice, diagnostic.range, {}});
+    }
     add(std::move(diagnostic), fault.item);
   }
 
@@ -78,6 +81,16 @@ class ContourReporter {
                           {origin.text(), name(notice.other), millimetres(notice.measure)}};
         mark_other(joined, notice.other);
         add(std::move(joined), notice.item);
+        return;
+      }
+      case Notice::LongCorner: {
+        Diagnostic spike{Message::LongCorner,
+                         origin.range,
+                         {origin.text(), name(notice.other), millimetres(notice.measure),
+                          millimetres(notice.x), millimetres(notice.y)}};
+        mark_other(spike, notice.other);
+        spike.notes.push_back({Message::CornerChoice, origin.range, {}});
+        add(std::move(spike), notice.item);
         return;
       }
       case Notice::Gouge:

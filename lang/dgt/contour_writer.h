@@ -52,6 +52,8 @@ class ContourWriter {
     options_.offset_side = evaluation.options.offset_side;
     options_.join_tolerance = evaluation.options.join_tolerance;
     options_.gouge = evaluation.options.gouge;
+    options_.corner = evaluation.options.corner;
+    options_.corner_limit = evaluation.options.corner_limit;
   }
 
   [[nodiscard]] bool is_open() const { return open_.has_value(); }

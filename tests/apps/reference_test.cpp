@@ -25,6 +25,7 @@ using support::read_text;
 
 fs::path lang() { return fs::path(DGT_SOURCE_DIR) / "lang"; }
 fs::path rows() { return support::corpus("rows"); }
+fs::path corners() { return support::corpus("corners"); }
 bool updating() { return std::getenv("DGT_UPDATE_GOLDEN") != nullptr; }
 void write(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
@@ -123,6 +124,22 @@ INSTANTIATE_TEST_SUITE_P(Reference, ReferenceFigure, ::testing::ValuesIn(names_i
 TEST(Reference, EveryFigureBelongsToARow) {
   EXPECT_EQ(names_in(lang() / "figures", ".svg"), names_in(rows(), ".bgt"));
 }
+
+class CornerFigure : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CornerFigure, IsWhatPlotDraws) {
+  const fs::path figure = lang() / "figures" / "corners" / (GetParam() + ".svg");
+  const Outcome plot =
+      support::run_dgt({"plot", "--size", "320", "--machine", GetParam() + ".toml", "tooth.bgt"},
+                       {.folder = corners()});
+  ASSERT_EQ(plot.exit_code, 0) << plot.err;
+  if (updating()) write(figure, plot.out);
+  ASSERT_TRUE(fs::exists(figure)) << figure;
+  EXPECT_EQ(plot.out, read_text(figure));
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference, CornerFigure, ::testing::ValuesIn(names_in(corners(), ".toml")),
+                         [](const auto& style) { return style.param; });
 
 // --- programs of the page -----------------------------------------------------------------------
 

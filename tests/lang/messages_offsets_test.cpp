@@ -218,6 +218,42 @@ K1 W1 L1 L2 L3
 )");
 }
 
+TEST(DgtMessagesOfOffsets, ALongCornerIsWarnedOfWithItsPlace) {
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=Y0
+P1=X20 Y0
+P2=X0 Y2
+L2=P1 P2
+L3=X0
+G54 X10 Y-5
+K1 W0.5 X10 L1 L2 L3
+)")
+          .faults(),
+      R"(t.bgt:7:13: warning: past the corner of L1 and L2 the tool runs 10.037399 mm out, to X30.0249378 Y-0.5, before it turns [DGT0520]
+K1 W0.5 X10 L1 L2 L3
+            ^~ ~~
+t.bgt:7:13: note: the setting corner = round or chamfer goes round it near the part [DGT0521]
+K1 W0.5 X10 L1 L2 L3
+            ^~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, ALongCornerMayBeCutShort) {
+  EvaluateOptions options;
+  options.corner = CornerStyle::Chamfer;
+  const CompiledProgram program(R"(L1=Y0
+P1=X20 Y0
+P2=X0 Y2
+L2=P1 P2
+L3=X0
+G54 X10 Y-5
+K1 W0.5 X10 L1 L2 L3
+)",
+                                {}, options);
+  EXPECT_EQ(program.faults(), "");
+  EXPECT_NE(program.path().find(" corner  ; t.bgt:7:16\n"), std::string::npos) << program.path();
+}
+
 TEST(DgtMessagesOfOffsets, GougesMayBeAllowed) {
   EvaluateOptions options;
   options.gouge = GougePolicy::Warn;
