@@ -251,15 +251,17 @@ bool ContourWriter::are_words(const std::vector<Item>& items) {
   return true;
 }
 
-void ContourWriter::act(const std::vector<Item>& words) {
+void ContourWriter::act(const std::vector<Item>& words, bool broken) {
   DGT_CHECK(!open_);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Item& item = words[i];
     if (item.letter == 'G') {
+      const bool has_point = i + 1 < words.size() && words[i + 1].letter == 'P';
+      if (broken && !has_point) continue;
       act_on_g(words, i);
       continue;
     }
-    const std::optional<Rational> value = word_value(item);
+    const std::optional<Rational> value = is_word(item.letter) ? word_value(item) : std::nullopt;
     if (!value) continue;
     if (item.letter == 'F') {
       state_.straight_rapid = sgn(*value) == 0;

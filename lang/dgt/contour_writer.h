@@ -73,7 +73,8 @@ class ContourWriter {
   void end();
 
   /// Words that act at once: G54, G0, F, S, T, M. Precondition: no contour is open.
-  void act(const std::vector<Item>& words);
+  /// `broken`: a fault in the line has been told, so what a G lacks may have been its victim.
+  void act(const std::vector<Item>& words, bool broken);
   /// Whether every item is a word that may stand outside a contour.
   [[nodiscard]] static bool are_words(const std::vector<Item>& items);
 

@@ -40,6 +40,11 @@ struct ElementEntry {
 class ElementTable {
  public:
   [[nodiscard]] ElementEntry& at(ElementKind kind, int number);
+  /// Whether something is under the number, or a fault there has been told.
+  [[nodiscard]] bool is_known(char letter, int number) const {
+    const ElementEntry* const entry = find(static_cast<ElementKind>(letter), number);
+    return entry != nullptr && entry->state != ElementEntry::State::Undefined;
+  }
   /// Null when nothing was ever under the number.
   [[nodiscard]] const ElementEntry* find(ElementKind kind, int number) const;
   [[nodiscard]] const std::vector<ElementEntry>& all(ElementKind kind) const;

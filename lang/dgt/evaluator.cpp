@@ -2,6 +2,7 @@
 #include "lang/dgt/evaluator.h"
 
 #include "kernel/check.h"
+#include "lang/text/encoding.h"
 
 namespace dgt::language {
 namespace {
@@ -156,13 +157,16 @@ void Evaluator::execute(const ItemLine& line, const Statement& statement) {
   const bool words = ContourWriter::are_words(line.items);
   if (words && (!line.has_comma || !contours_.is_open())) {
     end_contour(statement.range);
-    contours_.act(line.items);
+    contours_.act(line.items, statement.broken);
     return;
   }
   if (!contours_.is_open()) {
-    const bool is_start = !line.items.empty() && line.items.front().letter == 'G' &&
-                          line.items.front().number.whole == 54;  // what it lacks will be told
-    if (!line.items.empty() && !is_start && !statement.broken) {
+    if (report_missing_equals(line)) return;
+    // Of a G that is not known or lacks its point that will be told.
+    const bool is_g =
+        !line.items.empty() && line.items.front().letter == 'G' &&
+        (line.items.front().number.is_variable() || line.items.front().number.whole != 0);
+    if (!line.items.empty() && !is_g && !statement.broken) {
       const Range range = line.items.front().range;
       Diagnostic fault{Message::NoOpenContour, range, {std::string(range.text())}};
       if (contour_ended_) fault.notes.push_back({Message::ContourEndedHere, *contour_ended_, {}});
@@ -177,12 +181,34 @@ void Evaluator::execute(const ItemLine& line, const Statement& statement) {
   contours_.take(line.items);
 }
 
+// `C1 X5 Y5 R2` where no contour is open and C1 not defined.
+bool Evaluator::report_missing_equals(const ItemLine& line) {
+  if (line.items.empty()) return false;
+  const Item& target = line.items.front();
+  const bool may_be_defined =
+      std::string_view("LCPO").find(target.letter) != std::string_view::npos &&
+      !target.is_inline_point && target.number.form == NumberForm::Decimal && !target.number.minus;
+  if (!may_be_defined || shared_.elements.is_known(target.letter, target.number.whole))
+    return false;
+  std::string letters;
+  for (const Item& item : line.items) letters += item.letter;
+  const auto kind = static_cast<ElementKind>(target.letter);
+  if (!match_form(kind, std::string_view(letters).substr(1))) return false;
+  shared_.report({Message::MissingEquals,
+                  target.range,
+                  {std::string(target.range.text())},
+                  {},
+                  FixIt{behind(target.range), "="}});
+  shared_.elements.at(kind, target.number.whole).state = ElementEntry::State::Unknown;
+  return true;
+}
+
 void Evaluator::execute(const Directive& directive) {
-  if (directive.key.text() != "offset-side") {
+  if (fold_case(directive.key.text()) != "offset-side") {
     shared_.report({Message::UnknownDirective, directive.key, {std::string(directive.key.text())}});
     return;
   }
-  const std::string_view value = directive.value.text();
+  const std::string value = fold_case(directive.value.text());
   if (value == "left") {
     contours_.set_offset_side(OffsetSide::Left);
   } else if (value == "right") {
@@ -192,7 +218,8 @@ void Evaluator::execute(const Directive& directive) {
   } else if (value.empty()) {
     shared_.report({Message::OffsetSideLacking, directive.key, {}});
   } else {
-    shared_.report({Message::BadOffsetSide, directive.value, {std::string(value)}});
+    shared_.report(
+        {Message::BadOffsetSide, directive.value, {std::string(directive.value.text())}});
   }
 }
 

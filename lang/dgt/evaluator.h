@@ -56,6 +56,7 @@ class Evaluator {
   void execute(const ContourStart& start, bool broken);
   void execute(const ItemLine& line, const Statement& statement);
   void execute(const Directive& directive);
+  [[nodiscard]] bool report_missing_equals(const ItemLine& line);
   void stop(Message message, const Range& range, std::uint64_t limit);
   /// Ends the open contour because of what stands at `by`.
   void end_contour(const Range& by);
@@ -81,6 +82,8 @@ class Evaluator {
   void execute(const DefinitionFile& file, bool broken);
   [[nodiscard]] std::shared_ptr<const Program> macro(const Range& name);
   [[nodiscard]] std::optional<SourceText> load_macro(const Range& name);
+  /// Tells what is wrong with the name of a file that was not found.
+  void report_name(Message not_found, const Range& name);
   [[nodiscard]] std::shared_ptr<const Program> read(SourceText text);
   void set_arguments(const MacroCall& call);
   void run_definitions(const Program& program);

@@ -53,7 +53,7 @@ std::shared_ptr<const Program> Evaluator::macro(const Range& name) {
   if (known != macros_.end() && known->second) return known->second;
   std::optional<SourceText> text = load_macro(name);
   if (!text) {
-    shared_.report({Message::NoSuchMacro, name, {std::string(name.text())}});
+    report_name(Message::NoSuchMacro, name);
     return macros_[key] = nullptr;
   }
   shared_.expansion.push(Message::InMacro, name, std::string(name.text()));
@@ -74,6 +74,21 @@ std::optional<SourceText> Evaluator::load_macro(const Range& name) {
     shared_.report({Message::LookAlike, name, {written, latin}, {}, FixIt{name, latin}});
   }
   return text;
+}
+
+void Evaluator::report_name(Message not_found, const Range& name) {
+  const std::string_view written = name.text();
+  const std::size_t end = written.find_first_of("(,;=", 1);
+  const std::string meant(written.substr(0, end));
+  const std::string folded = fold_case(meant);
+  if (end != std::string_view::npos) {
+    return shared_.report({Message::NameRunsOn, name, {std::string(written), meant}});
+  }
+  if (folded.size() > 4 && (folded.ends_with(".mac") || folded.ends_with(".bgt"))) {
+    const std::string bare = meant.substr(0, meant.size() - 4);
+    return shared_.report({Message::NameWithExtension, name, {bare}, {}, FixIt{name, bare}});
+  }
+  shared_.report({not_found, name, {meant}});
 }
 
 // All arguments are worked out before the first is set, since they may be variables themselves.
@@ -97,7 +112,7 @@ void Evaluator::execute(const DefinitionFile& file, bool broken) {
   } else if (!broken) {
     text = loader_.load_definitions(file.name.text());
     if (!text) {
-      shared_.report({Message::NoSuchDefinitionFile, file.name, {std::string(file.name.text())}});
+      report_name(Message::NoSuchDefinitionFile, file.name);
     }
   }
   if (text) {

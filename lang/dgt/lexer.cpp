@@ -156,6 +156,7 @@ void Lexer::read_word() {
     case '-':
     case '*':
     case '/':
+      if (read_foreign_comment()) return;
       at_ += c.size;
       if (c.foreign) note_look_alike(begin, "-");
       push(WordKind::Operator, begin).letter = c.latin;
@@ -167,6 +168,7 @@ void Lexer::read_word() {
       read_comment(c);
       return;
     default:
+      if (read_foreign_comment() || read_brackets() || read_semicolon()) return;
       if (!read_wrong_layout()) report_unknown_characters();
   }
 }
@@ -232,6 +234,7 @@ void Lexer::read_letter(const Character& letter) {
     read_sign_and_number(word);
   }
   word.range.end = at_;
+  if (word.form != NumberForm::None) read_unit();
 }
 
 // What may follow a letter: a sign, then digits or a variable. Without a number nothing is taken,
@@ -347,12 +350,67 @@ bool Lexer::read_unmarked_comment() {
     return false;
   const std::uint32_t begin = at_;
   at_ = end;
+  report_comment(begin);
+  return true;
+}
+
+// From `begin` to where the lexer stands; the rest of the line goes with it.
+void Lexer::report_comment(std::uint32_t begin) {
   Diagnostic comment{Message::UnmarkedComment, from(begin), {std::string(from(begin).text())}};
   comment.fix_it = FixIt{{&file_, begin, begin}, "'", Certainty::Guess};
   line_->broken = true;
   bag_.add(std::move(comment));
   at_ = end_;
+}
+
+bool Lexer::is_prose(std::uint32_t at) const {
+  return at < end_ && is_cyrillic(code_point_at(text_, at).value);
+}
+
+// The signs by which other languages begin a comment; `(` and `;` only before Russian words.
+bool Lexer::read_foreign_comment() {
+  const std::uint32_t begin = at_;
+  const char c = byte(at_);
+  const bool sure = c == '#' || (c == '/' && byte(at_ + 1) == '/');
+  if (!sure && !((c == '(' || c == ';') && is_prose(skip_blanks(at_ + 1)))) return false;
+  at_ = end_;
+  while (at_ > begin + 1 && (text_[at_ - 1] == ' ' || text_[at_ - 1] == '\t')) --at_;
+  report_comment(begin);
   return true;
+}
+
+bool Lexer::read_brackets() {
+  const std::uint32_t begin = at_;
+  if (byte(at_) != '(') return false;
+  const std::size_t close = text_.substr(0, end_).find(')', at_);
+  at_ = close == std::string_view::npos ? end_ : static_cast<std::uint32_t>(close) + 1;
+  fail(Message::Brackets, from(begin), {});
+  return true;
+}
+
+bool Lexer::read_semicolon() {
+  const std::uint32_t begin = at_;
+  if (byte(at_) != ';') return false;
+  ++at_;
+  line_->broken = true;
+  bag_.add({Message::Semicolon, from(begin), {}, {}, FixIt{from(begin), ",", Certainty::Guess}});
+  push(WordKind::Comma, begin);
+  return true;
+}
+
+// `5мм`, `30°`
+void Lexer::read_unit() {
+  static constexpr std::array<std::string_view, 5> kUnits = {"°", "º", "мм", "mm", "MM"};
+  const std::string_view rest = text_.substr(at_, end_ - at_);
+  for (const std::string_view unit : kUnits) {
+    if (!rest.starts_with(unit)) continue;
+    const std::uint32_t begin = at_;
+    at_ += static_cast<std::uint32_t>(unit.size());
+    line_->broken = true;
+    const Range range = from(begin);
+    bag_.add({Message::UnitWritten, range, {std::string(unit)}, {}, FixIt{range, ""}});
+    return;
+  }
 }
 
 // A Cyrillic letter that looks like no Latin one was meant for the letter on its key: it is read

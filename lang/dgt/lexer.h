@@ -55,6 +55,12 @@ class Lexer {
   void read_name();
   void read_comment(const Character& apostrophe);
   bool read_unmarked_comment();
+  bool read_foreign_comment();
+  bool read_brackets();
+  bool read_semicolon();
+  void read_unit();
+  [[nodiscard]] bool is_prose(std::uint32_t at) const;
+  void report_comment(std::uint32_t begin);
   bool read_wrong_layout();
   void read_quote(const Character& quote);
   void close_open_quote();

@@ -17,13 +17,14 @@ class LineParser {
  public:
   /// `broken`: the lexer has already reported a fault in the line.
   LineParser(std::span<const Word> words, bool broken, DiagnosticBag& bag)
-      : words_(words), broken_(broken), bag_(bag) {}
+      : words_(words), unreadable_(broken), broken_(broken), bag_(bag) {}
 
   /// Precondition: there are words, none of them a directive.
   [[nodiscard]] Statement parse();
 
  private:
   // line_parser.cpp: what kind of line it is
+  void skip_line_number();
   [[nodiscard]] Statement::Body parse_body();
   [[nodiscard]] bool is_assignment_to(char letter) const;
   [[nodiscard]] bool uses_texts() const;
@@ -37,6 +38,7 @@ class LineParser {
   [[nodiscard]] Statement::Body parse_number_assignment();
   [[nodiscard]] Statement::Body parse_number_without_equals();
   [[nodiscard]] Statement::Body parse_text_assignment();
+  [[nodiscard]] Statement::Body parse_text_without_equals();
   [[nodiscard]] Statement::Body parse_for();
   [[nodiscard]] Statement::Body parse_next();
   [[nodiscard]] Statement::Body parse_macro_call();
@@ -52,8 +54,13 @@ class LineParser {
   [[nodiscard]] std::optional<Item> parse_item(std::string_view letters);
   [[nodiscard]] bool check_item_number(const Word& word);
   [[nodiscard]] bool report_letter_for_zero(const Word& word);
+  [[nodiscard]] bool report_letter_for_one(const Word& word);
+  [[nodiscard]] bool report_unknown_word(const Word& word);
+  [[nodiscard]] bool report_misplaced_minus(const Word& minus);
+  void report_letter_for_digit(const Range& range, const Range& letter, char digit);
   void report_unexpected(const Word& word);
   void report_number(const Word& word);
+  void report_decimal_comma();
   void report_quote(const Word& word);
   void skip_spoiled_words();
 
@@ -65,6 +72,7 @@ class LineParser {
   void fail(Diagnostic diagnostic);
 
   std::span<const Word> words_;
+  const bool unreadable_;  // the lexer has found no word in some of it
   bool broken_;
   DiagnosticBag& bag_;
   std::size_t at_ = 0;
@@ -74,6 +82,10 @@ class LineParser {
 [[nodiscard]] inline bool touches(const Word& a, const Word& b) {
   return a.range.file == b.range.file && a.range.end == b.range.begin;
 }
+
+/// How many of the words make the first statement of a line that holds several, which is an error
+/// of its own; all of them otherwise.
+[[nodiscard]] std::size_t first_statement(std::span<const Word> words);
 
 /// Letters that end an inline point's first half: X and Y side by side become one item.
 /// `any_order`: Y may come first; behind G it may always.

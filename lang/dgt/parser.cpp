@@ -57,15 +57,27 @@ bool ProgramReader::read_line(Program& program) {
     }
     words.pop_back();
   }
-  if (words.empty()) return true;
+  std::span<const Word> rest = words;
+  while (!rest.empty()) {
+    const std::size_t count = first_statement(rest);
+    std::size_t own = count;  // a comma before what does not belong here separates nothing
+    while (count < rest.size() && own > 1 && rest[own - 1].is(WordKind::Comma)) --own;
+    add_statement(rest.first(own), program);
+    rest = rest.subspan(count);
+    if (rest.empty()) break;
+    bag_.add({Message::SecondStatement, rest[0].range, {std::string(rest[0].range.text())}});
+  }
+  return true;
+}
+
+void ProgramReader::add_statement(std::span<const Word> words, Program& program) {
   Statement statement = LineParser(words, line_.broken, bag_).parse();
   if (std::holds_alternative<ForLoop>(statement.body)) {
     open_loops_.push_back(program.statements.size());
   } else if (LoopEnd* const end = std::get_if<LoopEnd>(&statement.body)) {
-    if (!close_loop(program, *end, statement.range)) return true;
+    if (!close_loop(program, *end, statement.range)) return;
   }
   program.statements.push_back(std::move(statement));
-  return true;
 }
 
 bool ProgramReader::close_loop(Program& program, LoopEnd& end, const Range& range) {

@@ -29,6 +29,7 @@ class ProgramReader {
 
  private:
   [[nodiscard]] bool read_line(Program& program);
+  void add_statement(std::span<const Word> words, Program& program);
   [[nodiscard]] bool close_loop(Program& program, LoopEnd& end, const Range& range);
   void give_up_open_loops(Program& program);
 

@@ -68,6 +68,11 @@ void LineParser::choose_form(Definition& definition) {
 // The nearest forms say what is wrong. An operand that is missing is likelier than one too many:
 // people forget.
 void LineParser::report_mismatch(const Definition& definition, std::string_view letters) {
+  if (letters.find('X') != std::string_view::npos && letters.find('Y') != std::string_view::npos) {
+    const auto& operands = definition.operands;
+    fail({Message::CoordinatesUnpaired, join(operands.front().range, operands.back().range), {}});
+    return;
+  }
   const FormMismatch mismatch = explain_mismatch(definition.kind, letters);
   std::string wanted;
   const FormMismatch::Candidate* surplus = nullptr;

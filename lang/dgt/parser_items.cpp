@@ -43,7 +43,9 @@ std::optional<Item> LineParser::parse_item(std::string_view letters) {
     return item;
   }
   if (!w.is(WordKind::Letter) || letters.find(w.letter) == std::string_view::npos) {
-    report_unexpected(w);
+    const bool lone = w.is(WordKind::Letter) && w.form == NumberForm::None;
+    const bool told = lone && (report_unknown_word(w) || report_letter_for_zero(w));
+    if (!told) report_unexpected(w);
     return std::nullopt;
   }
   if (!check_item_number(w)) return std::nullopt;
@@ -55,8 +57,9 @@ std::optional<Item> LineParser::parse_item(std::string_view letters) {
 bool LineParser::check_item_number(const Word& w) {
   const std::string letter(1, w.letter);
   if (w.form == NumberForm::None) {
+    if (report_unknown_word(w)) return false;
     if (w.letter == 'V') return true;  // the tangent of two circles
-    if (report_letter_for_zero(w)) return false;
+    if (report_letter_for_zero(w) || report_letter_for_one(w)) return false;
     fail({Message::MissingNumber, w.range, {letter}});
     skip_spoiled_words();
     return false;
@@ -89,10 +92,58 @@ bool LineParser::report_letter_for_zero(const Word& w) {
   if (!number_lost && !behind_number) return false;
   const Word& first = number_lost ? w : words_[at_ - 2];
   const Word& letter = number_lost ? words_[at_++] : w;
-  const Range range = join(first.range, letter.range);
+  report_letter_for_digit(join(first.range, letter.range), letter.range, '0');
+  return true;
+}
+
+// `Xl0`, `Ll=Y5`: a small L where a one was meant. `w` has no number; words_[at_ - 1] is `w`.
+bool LineParser::report_letter_for_one(const Word& w) {
+  const bool is_small_l = !at_end() && word().is_letter('L') && touches(w, word()) &&
+                          word().range.text().front() == 'l' && !word().minus;
+  if (!is_small_l) return false;
+  const Range letter{w.range.file, word().range.begin, word().range.begin + 1};
+  report_letter_for_digit(join(w.range, word().range), letter, '1');
+  ++at_;
+  return true;
+}
+
+void LineParser::report_letter_for_digit(const Range& range, const Range& letter, char digit) {
   const std::string written(range.text());
-  const std::string meant = written.substr(0, letter.range.begin - range.begin) + "0";
-  fail({Message::LetterForZero, range, {written, meant}, {}, FixIt{letter.range, "0"}});
+  std::string meant = written;
+  meant.replace(letter.begin - range.begin, letter.end - letter.begin, 1, digit);
+  const std::string with(1, digit);
+  fail({Message::LetterForDigit,
+        range,
+        {written, meant, std::string(letter.text()), with},
+        {},
+        FixIt{letter, with}});
+}
+
+// `CALL`: no three letters of the language stand side by side without a number. words_[at_ - 1] is
+// `w`, which has none.
+bool LineParser::report_unknown_word(const Word& w) {
+  std::size_t end = at_;
+  while (end < words_.size() && words_[end].is(WordKind::Letter) &&
+         touches(words_[end - 1], words_[end]) && words_[end - 1].form == NumberForm::None) {
+    ++end;
+  }
+  if (end - at_ < 2) return false;
+  const Range range = join(w.range, words_[end - 1].range);
+  at_ = end;
+  fail({Message::UnknownWord, range, {std::string(range.text())}});
+  return true;
+}
+
+// `-L1`. words_[at_ - 1] is the minus.
+bool LineParser::report_misplaced_minus(const Word& minus) {
+  const bool before_letter = minus.letter == '-' && next_is(WordKind::Letter) && !word().minus &&
+                             word().form != NumberForm::None && touches(minus, word());
+  if (!before_letter) return false;
+  const Range range = join(minus.range, word().range);
+  const std::string meant =
+      std::string(1, word().letter).append("-").append(word().number().text());
+  ++at_;
+  fail({Message::MisplacedMinus, range, {meant}, {}, FixIt{range, meant}});
   return true;
 }
 
@@ -101,6 +152,7 @@ void LineParser::report_unexpected(const Word& w) {
   const std::string written(w.range.text());
   if (w.is(WordKind::Number)) return report_number(w);
   if (w.is(WordKind::QuoteOpen) || w.is(WordKind::QuoteClose)) return report_quote(w);
+  if (w.is(WordKind::Operator) && report_misplaced_minus(w)) return;
   const bool behind_number = at_ >= 2 && words_[at_ - 2].form != NumberForm::None;
   if (w.is(WordKind::Operator) && behind_number) {
     Range sum = w.range;
@@ -111,26 +163,39 @@ void LineParser::report_unexpected(const Word& w) {
     return;
   }
   if (w.is(WordKind::Equals) && broken_) return;
+  if (!w.is(WordKind::Letter) && unreadable_) return;  // what is left of something that was told
   fail({Message::Unexpected, w.range, {written}});
   if (!w.is(WordKind::Letter)) skip_spoiled_words();
 }
 
-// words_[at_ - 1] is `w`.
+// `X0,5`. words_[at_ - 1] is the number behind the comma.
+void LineParser::report_decimal_comma() {
+  const Word& whole = words_[at_ - 3];
+  const Word& fraction = words_[at_ - 1];
+  fail({Message::DecimalComma,
+        join(whole.range, fraction.range),
+        {std::string(whole.number().text()).append(".").append(fraction.range.text())},
+        {},
+        FixIt{words_[at_ - 2].range, "."}});
+}
+
+// words_[at_ - 1] is `w`. Numbers that follow without a letter are told with it.
 void LineParser::report_number(const Word& w) {
-  const std::string written(w.range.text());
-  const bool after_comma = at_ >= 3 && words_[at_ - 2].is(WordKind::Comma) &&
-                           words_[at_ - 3].form == NumberForm::Decimal &&
-                           touches(words_[at_ - 3], words_[at_ - 2]) && touches(words_[at_ - 2], w);
-  if (after_comma) {
-    fail({Message::DecimalComma,
-          join(words_[at_ - 3].range, w.range),
-          {std::string(words_[at_ - 3].number().text()) + "." + written},
-          {},
-          FixIt{words_[at_ - 2].range, "."}});
-    return;
-  }
+  const bool after_comma =
+      at_ >= 3 && words_[at_ - 2].is(WordKind::Comma) && words_[at_ - 3].is(WordKind::Letter) &&
+      words_[at_ - 3].form == NumberForm::Decimal && !is_element(words_[at_ - 3].letter) &&
+      touches(words_[at_ - 3], words_[at_ - 2]) && touches(words_[at_ - 2], w);
+  if (after_comma) return report_decimal_comma();
   const bool after_equals = at_ >= 2 && words_[at_ - 2].is(WordKind::Equals);
-  if (!broken_ || !after_equals) fail({Message::StrayNumber, w.range, {written}});
+  const bool known = broken_ && after_equals;
+  Range range = w.range;
+  for (std::size_t i = at_; i < words_.size(); ++i) {
+    if (words_[i].is(WordKind::Comma)) continue;
+    if (!words_[i].is(WordKind::Number)) break;
+    range = join(range, words_[i].range);
+    at_ = i + 1;
+  }
+  if (!known) fail({Message::StrayNumber, range, {std::string(range.text())}});
 }
 
 // A quote takes its text with it.

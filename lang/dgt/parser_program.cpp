@@ -56,7 +56,7 @@ void LineParser::expect_end() {
   if (at_end()) return;
   if (next_is_decimal_comma()) {
     at_ += 2;
-    report_number(words_[at_ - 1]);
+    report_decimal_comma();
     return expect_end();
   }
   const Range rest = join(word().range, words_.back().range);
@@ -123,6 +123,15 @@ Statement::Body LineParser::parse_text_assignment() {
     expect_end();
   }
   assignment.words = std::make_shared<const std::vector<Word>>(std::move(words));
+  return assignment;
+}
+
+// `B1 "…,"`
+Statement::Body LineParser::parse_text_without_equals() {
+  TextAssignment assignment;
+  const Range target = words_[0].range;
+  if (const std::optional<Item> item = parse_item("B")) assignment.target = *item;
+  fail({Message::MissingEquals, target, {written(words_[0])}, {}, FixIt{behind(target), "="}});
   return assignment;
 }
 

@@ -127,14 +127,14 @@ TEST(Lexer, LookAlikesInACommentAreNobodysBusiness) {
 }
 
 TEST(Lexer, ReportsWhatIsNoWordAndReadsOn) {
-  const Lexed lexed("L1 №# E5 L2");
+  const Lexed lexed("L1 №% E5 L2");
   EXPECT_EQ(render(lexed.bag),
             "t.bgt:1:4: error: '№' has no meaning in the language [DGT0101]\n"
-            "L1 №# E5 L2\n   ^\n"
-            "t.bgt:1:5: error: '#' has no meaning in the language [DGT0101]\n"
-            "L1 №# E5 L2\n    ^\n"
+            "L1 №% E5 L2\n   ^\n"
+            "t.bgt:1:5: error: '%' has no meaning in the language [DGT0101]\n"
+            "L1 №% E5 L2\n    ^\n"
             "t.bgt:1:7: error: no word of the language begins with 'E' [DGT0104]\n"
-            "L1 №# E5 L2\n      ^\n");
+            "L1 №% E5 L2\n      ^\n");
   EXPECT_TRUE(lexed.line.broken);
   EXPECT_EQ(lexed.line.words.size(), 2U);
 }

@@ -76,7 +76,7 @@ TEST(ParserFaults, StrayNumberAndDecimalComma) {
             "t.bgt:1:4: error: a comma separates items, it is no decimal point; 0.5 is meant? "
             "[DGT0204]\nL1=X0,5\n   ^~~~\n     .\n");
   EXPECT_EQ(faults("L1=X1 000"),
-            "t.bgt:1:7: error: the number 000 has no letter before it [DGT0203]\n"
+            "t.bgt:1:7: error: no letter stands before 000 [DGT0203]\n"
             "L1=X1 000\n      ^~~\n");
 }
 
@@ -162,11 +162,21 @@ TEST(ParserFaults, Loops) {
 }
 
 TEST(ParserFaults, WordsOutOfPlace) {
-  EXPECT_EQ(faults("K1 L1 = N2 FOR"),
-            "t.bgt:1:7: error: '=' cannot stand here [DGT0201]\nK1 L1 = N2 FOR\n      ^\n"
-            "t.bgt:1:9: error: 'N2' cannot stand here [DGT0201]\nK1 L1 = N2 FOR\n        ^~\n"
-            "t.bgt:1:12: error: 'FOR' cannot stand here [DGT0201]\nK1 L1 = N2 FOR\n"
-            "           ^~~\n");
+  EXPECT_EQ(faults("K1 L1 = N2"),
+            "t.bgt:1:7: error: '=' cannot stand here [DGT0201]\nK1 L1 = N2\n      ^\n"
+            "t.bgt:1:9: error: 'N2' cannot stand here [DGT0201]\nK1 L1 = N2\n        ^~\n");
+}
+
+TEST(ParserFaults, EachOfSeveralStatementsInALineIsParsed) {
+  const SourceFile file("t.bgt", "L1=Y0 L2=X4, FOR 2 N1=N1+1, NEXT K1 L1 L2");
+  DiagnosticBag bag;
+  (void)parse(file, bag);
+  std::string found;
+  for (const Diagnostic& d : bag.all()) found += d.arguments.at(0) + " ";
+  EXPECT_EQ(found, "L2 FOR N1 NEXT K1 ");
+  EXPECT_EQ(print_syntax(file),
+            "1: definition L1 = Y0 (L=Y)\n1: definition L2 = X4 (L=X)\n1: for 2\n"
+            "  1: number N1 = 0 + N1 + 1\n1: next\n1: contour K1 L1 L2\n");
 }
 
 }  // namespace
