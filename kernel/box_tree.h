@@ -53,7 +53,42 @@ class BoxTree {
     if (!levels_.front().empty()) descend(levels_.size() - 1, 0, box, visit);
   }
 
+  /// Calls `visit(i, j)` with i < j once for each two boxes that overlap.
+  template <class Visit>
+  void pairs(Visit&& visit) const {
+    if (!levels_.front().empty()) pairs_within(levels_.size() - 1, 0, visit);
+  }
+
  private:
+  template <class Visit>
+  void pairs_within(std::size_t level, std::size_t index, Visit& visit) const {
+    if (level == 0) return;
+    const std::vector<Box>& below = levels_[level - 1];
+    const std::size_t end = std::min(4 * index + 4, below.size());
+    for (std::size_t i = 4 * index; i < end; ++i) {
+      pairs_within(level - 1, i, visit);
+      for (std::size_t j = i + 1; j < end; ++j)
+        if (below[i].overlaps(below[j])) pairs_between(level - 1, i, j, visit);
+    }
+  }
+  /// Of two nodes of one level that overlap, the first before the second.
+  template <class Visit>
+  void pairs_between(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const {
+    if (level == 0) {
+      visit(a, b);
+      return;
+    }
+    const std::vector<Box>& below = levels_[level - 1];
+    const Box& box_b = levels_[level][b];
+    const std::size_t end_a = std::min(4 * a + 4, below.size());
+    const std::size_t end_b = std::min(4 * b + 4, below.size());
+    for (std::size_t i = 4 * a; i < end_a; ++i) {
+      if (!below[i].overlaps(box_b)) continue;
+      for (std::size_t j = 4 * b; j < end_b; ++j)
+        if (below[i].overlaps(below[j])) pairs_between(level - 1, i, j, visit);
+    }
+  }
+
   template <class Visit>
   void descend(std::size_t level, std::size_t index, const Box& box, Visit& visit) const {
     if (!levels_[level][index].overlaps(box)) return;

@@ -97,11 +97,13 @@ std::optional<Chain> chain_of(const std::vector<BulgeVertex>& vertices, bool clo
   return chain;
 }
 
+ChainEdge reversed(const ChainEdge& e) { return {e.to, e.from, -e.end, -e.start, -e.radius}; }
+
 Chain reversed(const Chain& chain) {
   Chain result;
   result.closed = chain.closed;
   for (auto it = chain.edges.rbegin(); it != chain.edges.rend(); ++it)
-    result.edges.push_back({it->to, it->from, -it->end, -it->start, -it->radius});
+    result.edges.push_back(reversed(*it));
   return result;
 }
 

@@ -59,6 +59,7 @@ struct BulgeVertex {
 /// than half a turn are halved. Nothing when fewer than two distinct vertices are left.
 [[nodiscard]] std::optional<Chain> chain_of(const std::vector<BulgeVertex>& vertices, bool closed);
 
+[[nodiscard]] ChainEdge reversed(const ChainEdge& edge);
 [[nodiscard]] Chain reversed(const Chain& chain);
 
 }  // namespace dgt

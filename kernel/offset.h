@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "kernel/chain.h"
@@ -45,15 +48,85 @@ inline constexpr double kOffsetResolution = 1e-9;
 [[nodiscard]] std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
                                                        const Rational& distance);
 
-/// The production engine: winding numbers carried along the raw curve, crossings found through a
-/// box tree in contour order, every decision in balls (number.h). Where a ball cannot tell
-/// (coincident edges, triple points, contacts) the whole input goes to the reference engine. Same
-/// loops as reference_offset.
-struct OffsetCounts {
-  std::size_t pairs = 0;      ///< pieces whose boxes overlap
-  std::size_t crossings = 0;  ///< of the raw curves
-  bool by_reference = false;  ///< some decision was left open
+/// A vertex of a closed polyline in doubles, with the bulge of the edge to the next one (chain.h).
+/// What it means is exact: the doubles are the numbers meant.
+struct BulgePoint {
+  double x = 0;
+  double y = 0;
+  double bulge = 0;
 };
+using BulgePolyline = std::vector<BulgePoint>;
+
+/// How the production engine came to its decisions.
+struct OffsetCounts {
+  std::size_t strands = 0;    ///< pieces of the raw curves
+  std::size_t pairs = 0;      ///< of these, whose boxes overlap
+  std::size_t crossings = 0;  ///< of the raw curves
+  std::size_t decisions = 0;  ///< pairs, orders and rays that doubles were asked about
+  std::size_t fine = 0;       ///< of these, left to double-doubles
+  std::size_t exact = 0;      ///< of these, left to the reference engine: then all of them are
+};
+
+class OffsetSource;
+
+/// A piece of a raw curve: an edge, moved, or the corner behind it.
+class RawKey {
+ public:
+  RawKey() = default;
+  RawKey(std::uint32_t edge, bool corner) : packed_(2 * edge + (corner ? 1 : 0)) {}
+
+  [[nodiscard]] std::uint32_t edge() const { return packed_ / 2; }
+  [[nodiscard]] bool corner() const { return packed_ % 2 != 0; }
+
+  friend bool operator==(RawKey, RawKey) = default;
+
+ private:
+  std::uint32_t packed_ = 0;
+};
+
+/// A piece of a result in doubles.
+struct RegionPiece {
+  double x = 0;  ///< where it begins
+  double y = 0;
+  double centre_x = 0;
+  double centre_y = 0;
+  double radius = 0;  ///< signed, positive counter-clockwise; 0: a segment
+  RawKey on;          ///< what it is a part of
+  RawKey cut, by;     ///< it begins where these cross; the same: where `cut` begins
+};
+
+/// What the production engine makes: loops in doubles, exact when asked.
+class OffsetRegion {
+ public:
+  [[nodiscard]] std::size_t loops() const { return first_.size() - 1; }
+  [[nodiscard]] std::span<const RegionPiece> loop(std::size_t i) const {
+    return {pieces_.data() + first_[i], first_[i + 1] - first_[i]};
+  }
+  /// The same loops in exact points that round correctly.
+  [[nodiscard]] std::vector<OffsetLoop> exact() const;
+
+  /// The result of the reference engine in this form.
+  [[nodiscard]] static OffsetRegion of(std::vector<OffsetLoop> loops);
+  /// Runs all loops the other way.
+  void reverse();
+
+ private:
+  friend class OffsetEngine;
+  void drop(const std::vector<bool>& which);
+
+  std::shared_ptr<const OffsetSource> source_;
+  std::vector<OffsetLoop> exact_;  ///< when there is no source
+  std::vector<RegionPiece> pieces_;
+  std::vector<std::size_t> first_ = {0};
+};
+
+/// The production engine: winding numbers carried along the raw curve, crossings found through a box
+/// tree in contour order, decisions in doubles with a proved bound, then in double-doubles. What
+/// those leave open (raw pieces that coincide at any distance, as where loops touch) sends the whole
+/// input to the reference engine. Same loops as reference_offset.
+[[nodiscard]] OffsetRegion production_offset(const std::vector<BulgePolyline>& loops,
+                                             const Rational& distance,
+                                             OffsetCounts* counts = nullptr);
 [[nodiscard]] std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops,
                                                         const Rational& distance,
                                                         OffsetCounts* counts = nullptr);

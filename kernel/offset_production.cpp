@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The production engine. Its outline is `run` below:
 //
-//   raw curve in balls → box tree in contour order → crossings of overlapping pieces, sorted along
+//   raw curve in doubles → box tree in contour order → crossings of overlapping pieces, sorted along
 //   each piece → winding number of each stretch between crossings → stretches with the wanted
 //   number on the left, joined at crossings into loops.
 //
@@ -9,615 +9,587 @@
 // never tested against each other. The number on the left of the curve changes at a crossing alone:
 // a strand that comes from the right has its own left, with a number higher by one, behind it.
 //
-// A decision that a ball leaves open throws Open, and the reference engine takes the input: for
-// parts whose edges do not coincide by design that is rare, and the answer is right either way.
+// Decisions are made for a distance 2⁻⁷⁰ mm beyond the one asked for. That parts all that is in
+// contact by design (a slot exactly as wide as the tool), and double-doubles, good to some 2⁻⁹⁰ mm,
+// can tell. What they cannot tell coincides at every distance, and the reference engine takes it.
+//
+// Joints whose edges' normals agree within kTangent are tangent: one point, no corner. The raw curve
+// then differs from the exact one by d·kTangent²/2 across and d·kTangent along, a sliver in which
+// nothing that is meant takes place.
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include "kernel/box_tree.h"
-#include "kernel/cgal/raw_crossing.h"
 #include "kernel/check.h"
-#include "kernel/offset.h"
-#include "kernel/offset_raw.h"
+#include "kernel/offset_source.h"
+#include "kernel/offset_voids.h"
 
 namespace dgt {
 namespace {
 
-struct Open {};  ///< a decision that balls cannot make
-
-struct BallVector {
-  Ball x, y;
+/// A strand in doubles, as it is kept.
+struct Kept {
+  double from_x, from_y, to_x, to_y, centre_x, centre_y, radius;
+  float ends_rad, centre_rad, radius_rad;
+  RawKey key;
+  bool is_line, counter_clockwise;
 };
-BallVector operator+(const BallVector& a, const BallVector& b) { return {a.x + b.x, a.y + b.y}; }
-BallVector operator-(const BallVector& a, const BallVector& b) { return {a.x - b.x, a.y - b.y}; }
-BallVector operator*(const Ball& k, const BallVector& a) { return {k * a.x, k * a.y}; }
-Ball dot(const BallVector& a, const BallVector& b) { return a.x * b.x + a.y * b.y; }
-Ball cross(const BallVector& a, const BallVector& b) { return a.x * b.y - a.y * b.x; }
-BallVector balls(const Vector& v) { return {Ball(v.x), Ball(v.y)}; }
 
-int certain_sign(const Ball& b) {
-  const auto sign = b.sign();
-  if (!sign || *sign == 0) throw Open{};
-  return *sign;
+float rounded_up(double value) {
+  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max());
 }
 
-/// One piece of a raw curve. Arcs cover at most half a turn.
-struct Strand {
-  BallVector from, to;
-  bool is_line = true;
-  BallVector centre;
-  Ball radius;  ///< not negative
-  bool ccw = true;
-  std::size_t loop = 0;
-  std::size_t edge = 0;
-  bool corner = false;  ///< behind the edge
+Kept keep(const Strand<double>& s, RawKey key) {
+  return {s.from.x,
+          s.from.y,
+          s.to.x,
+          s.to.y,
+          s.centre.x,
+          s.centre.y,
+          s.radius.mid,
+          rounded_up(std::max(s.from.rad, s.to.rad)),
+          rounded_up(s.centre.rad),
+          rounded_up(s.radius.rad),
+          key,
+          s.is_line,
+          s.counter_clockwise};
+}
+
+Strand<double> strand_of(const Kept& k) {
+  return {{k.from_x, k.from_y, k.ends_rad},
+          {k.to_x, k.to_y, k.ends_rad},
+          {k.centre_x, k.centre_y, k.centre_rad},
+          {k.radius, k.radius_rad},
+          k.is_line,
+          k.counter_clockwise};
+}
+
+/// Two strands that cross. Each crossing is two events, one on each strand: number 2i + side.
+struct Passing {
+  double x, y;
+  std::array<double, 2> along;
+  std::array<float, 2> along_rad;
+  std::array<std::uint32_t, 2> strand;
+  std::int8_t turn;  ///< of the second against the first
+  bool last;         ///< of the two crossings of these strands
 };
+using Event = std::uint32_t;
 
-/// What exact points are worked out from, long after the engine has gone.
-struct Source {
-  std::vector<Chain> loops;
-  Rational distance;
+}  // namespace
 
-  [[nodiscard]] RawPiece piece(std::size_t loop, std::size_t edge, bool corner) const {
-    const auto& edges = loops[loop].edges;
-    const ChainEdge& next = edges[(edge + 1) % edges.size()];
-    return corner ? raw_corner(edges[edge], next, distance).value()
-                  : raw_edge(edges[edge], distance).value();
-  }
-};
-
-/// A crossing as one of its two strands sees it.
-struct Event {
-  std::size_t strand = 0;
-  Ball along;            ///< rises along the strand
-  int step = 0;          ///< of the winding number, going on along the strand
-  std::size_t twin = 0;  ///< the same crossing on the other strand
-  BallVector at;
-};
-
-class Engine {
+class OffsetEngine {
  public:
-  Engine(const std::vector<Chain>& loops, const Rational& distance, OffsetCounts& counts)
-      : source_(std::make_shared<const Source>(Source{loops, distance})),
-        loops_(source_->loops),
-        distance_(source_->distance),
-        counts_(counts) {}
+  OffsetEngine(std::shared_ptr<const OffsetSource> source, OffsetCounts& counts)
+      : source_(std::move(source)), counts_(counts) {}
 
-  std::vector<OffsetLoop> run() {
-    const int wanted = number_of_region(loops_);
+  /// Nothing when double-doubles leave something open.
+  std::optional<OffsetRegion> run() {
     lay_strands();
-    find_crossings();
-    sort_events();
-    carry_numbers();
-    return trace(wanted);
+    if (!find_crossings() || !sort_events() || !carry_numbers()) return std::nullopt;
+    OffsetRegion region = trace();
+    region.drop(bounding_nothing(region, *source_));
+    return region;
   }
 
  private:
   // --- the raw curve ----------------------------------------------------------------------------
 
   void lay_strands() {
-    const Ball d(distance_);
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
-      const auto& edges = loops_[i].edges;
-      first_strand_.push_back(strands_.size());
-      for (std::size_t k = 0; k < edges.size(); ++k) {
-        const ChainEdge& next = edges[(k + 1) % edges.size()];
-        add_edge(edges[k], d, i, k);
-        add_corner(edges[k], next, d, i, k);
+    const OffsetSource& source = *source_;
+    strands_.reserve(2 * source.edges());
+    const Enclosed<double>& d = source.decisive_distance<double>();
+    for (std::size_t loop = 0; loop < source.loops(); ++loop) {
+      first_strand_.push_back(size());
+      const std::uint32_t first = source.first(loop);
+      const std::uint32_t end = source.first(loop + 1);
+      const EnclosedEdge<double> first_edge = source.edge<double>(first);
+      EnclosedEdge<double> before = source.edge<double>(end - 1);
+      EnclosedEdge<double> e = first_edge;
+      Joint joint = source.joint(end - 1, before, e);
+      for (std::uint32_t i = first; i < end; ++i) {
+        strands_.push_back(
+            keep(moved(e, joint == Joint::Tangent ? before.end : e.start, d), RawKey(i, false)));
+        const EnclosedEdge<double> next =
+            i + 1 == end ? first_edge : source.edge<double>(i + 1);
+        joint = source.joint(i, e, next);
+        if (joint != Joint::Tangent) strands_.push_back(keep(corner(e, next, joint, d), RawKey(i, true)));
+        before = e;
+        e = next;
       }
-      if (strands_.size() == first_strand_.back()) throw Open{};
     }
-    first_strand_.push_back(strands_.size());
+    first_strand_.push_back(size());
+    counts_.strands = strands_.size();
   }
 
-  void add_edge(const ChainEdge& edge, const Ball& d, std::size_t loop, std::size_t k) {
-    Strand s;
-    s.loop = loop;
-    s.edge = k;
-    s.is_line = edge.is_line();
-    s.from = balls(edge.from) + d * balls(edge.start.vector());
-    s.to = balls(edge.to) + d * balls(edge.end.vector());
-    if (!s.is_line) {
-      if (edge.radius == distance_) return;  // shrunk to its centre
-      s.centre = balls(edge.from) + Ball(edge.radius) * balls(edge.start.vector());
-      s.radius = Ball(edge.radius) - d;
-      if (certain_sign(s.radius) < 0) s.radius = -s.radius;
-      s.ccw = sgn(edge.radius) > 0;
-      if (certain_sign(cross(s.from - s.centre, s.to - s.centre)) != (s.ccw ? 1 : -1)) throw Open{};
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(strands_.size()); }
+
+  [[nodiscard]] std::uint32_t next_strand(std::uint32_t s) const {
+    // Strands of one loop only follow each other.
+    const std::uint32_t next = s + 1;
+    const auto end = std::upper_bound(first_strand_.begin(), first_strand_.end(), s);
+    return next == *end ? *(end - 1) : next;
+  }
+
+  [[nodiscard]] Strand<DoubleDouble> fine(std::uint32_t strand) const {
+    return source_->strand(strands_[strand].key, source_->decisive_distance<DoubleDouble>());
+  }
+
+  // --- boxes ------------------------------------------------------------------------------------
+
+  static Box box_of(const Kept& k) {
+    const double out = (static_cast<double>(k.ends_rad) + k.centre_rad + k.radius_rad) * kUp;
+    const auto grown = [](double size, double by) { return by + 0x1p-52 * std::fabs(size); };
+    Box box{std::min(k.from_x, k.to_x), std::min(k.from_y, k.to_y), std::max(k.from_x, k.to_x),
+            std::max(k.from_y, k.to_y)};
+    if (!k.is_line) {
+      // The arc reaches an extreme of its circle unless that lies surely to the chord's other side.
+      const double sense = k.counter_clockwise ? 1 : -1;
+      const double wx = sense * (k.to_x - k.from_x);
+      const double wy = sense * (k.to_y - k.from_y);
+      const double margin =
+          2 * (std::fabs(wx) + std::fabs(wy) + out) * (out + 0x1p-50 * (k.radius + out)) +
+          2 * out * k.radius;
+      const double mx = k.centre_x - k.from_x;
+      const double my = k.centre_y - k.from_y;
+      // cross(w, c + r e − from) for the four directions e
+      const double base = wx * my - wy * mx;
+      if (base - wy * k.radius <= margin) box.max_x = std::max(box.max_x, k.centre_x + k.radius);
+      if (base + wy * k.radius <= margin) box.min_x = std::min(box.min_x, k.centre_x - k.radius);
+      if (base + wx * k.radius <= margin) box.max_y = std::max(box.max_y, k.centre_y + k.radius);
+      if (base - wx * k.radius <= margin) box.min_y = std::min(box.min_y, k.centre_y - k.radius);
     }
-    strands_.push_back(s);
+    return {box.min_x - grown(box.min_x, out), box.min_y - grown(box.min_y, out),
+            box.max_x + grown(box.max_x, out), box.max_y + grown(box.max_y, out)};
   }
 
-  void add_corner(const ChainEdge& edge, const ChainEdge& next, const Ball& d, std::size_t loop,
-                  std::size_t k) {
-    if (edge.end == next.start) return;
-    Strand s;
-    s.loop = loop;
-    s.edge = k;
-    s.corner = true;
-    s.is_line = false;
-    s.centre = balls(edge.to);
-    s.radius = d;
-    const BallVector u = balls(edge.end.vector());
-    const BallVector v = balls(next.start.vector());
-    s.from = s.centre + d * u;
-    s.to = s.centre + d * v;
-    s.ccw = certain_sign(cross(u, v)) > 0;
-    strands_.push_back(s);
-  }
+  // --- crossings --------------------------------------------------------------------------------
 
-  [[nodiscard]] std::size_t next_strand(std::size_t s) const {
-    const std::size_t loop = strands_[s].loop;
-    return s + 1 == first_strand_[loop + 1] ? first_strand_[loop] : s + 1;
-  }
-
-  // --- boxes
-  // --------------------------------------------------------------------------------------
-
-  static Box box_of(const Strand& s) {
-    // Outward by a double's rounding beyond the balls' own radii.
-    const auto low = [](const Ball& b) {
-      return std::nextafter(static_cast<double>(b.mid - b.rad),
-                            -std::numeric_limits<double>::max());
-    };
-    const auto high = [](const Ball& b) {
-      return std::nextafter(static_cast<double>(b.mid + b.rad), std::numeric_limits<double>::max());
-    };
-    Box box{std::min(low(s.from.x), low(s.to.x)), std::min(low(s.from.y), low(s.to.y)),
-            std::max(high(s.from.x), high(s.to.x)), std::max(high(s.from.y), high(s.to.y))};
-    if (s.is_line) return box;
-    const auto may_reach = [&](long double dx, long double dy) {
-      const BallVector v{Ball(dx, 0), Ball(dy, 0)};
-      const auto off = [](const Ball& b) { return b.mid + b.rad < 0; };  // certainly outside
-      const Ball after = cross(s.from - s.centre, v);
-      const Ball before = cross(v, s.to - s.centre);
-      return s.ccw ? !off(after) && !off(before) : !off(-after) && !off(-before);
-    };
-    if (may_reach(1, 0)) box.max_x = std::max(box.max_x, high(s.centre.x + s.radius));
-    if (may_reach(-1, 0)) box.min_x = std::min(box.min_x, low(s.centre.x - s.radius));
-    if (may_reach(0, 1)) box.max_y = std::max(box.max_y, high(s.centre.y + s.radius));
-    if (may_reach(0, -1)) box.min_y = std::min(box.min_y, low(s.centre.y - s.radius));
-    return box;
-  }
-
-  // --- crossings
-  // ------------------------------------------------------------------------------------
-
-  void find_crossings() {
+  bool find_crossings() {
     std::vector<Box> boxes;
     boxes.reserve(strands_.size());
-    for (const Strand& s : strands_) boxes.push_back(box_of(s));
+    for (const Kept& k : strands_) boxes.push_back(box_of(k));
     for (const Box& box : boxes) right_ = std::max(right_, box.max_x);
-    tree_.emplace(boxes);
-    for (std::size_t a = 0; a < strands_.size(); ++a) {
-      tree_->overlapping(boxes[a], [&](std::size_t b) {
-        if (b <= a || next_strand(a) == b || next_strand(b) == a) return;
-        ++counts_.pairs;
-        cross_strands(strands_[a], strands_[b],
-                      [&](const BallVector& at) { add_events(a, b, at); });
-      });
-    }
-  }
-
-  /// Calls visit for each place where the two cross inside both. Throws where that is open.
-  template <class Visit>
-  static void cross_strands(const Strand& a, const Strand& b, Visit&& visit) {
-    if (a.is_line && b.is_line)
-      cross_lines(a, b, visit);
-    else if (a.is_line)
-      cross_line_arc(a, b, visit);
-    else if (b.is_line)
-      cross_line_arc(b, a, visit);
-    else
-      cross_arcs(a, b, visit);
-  }
-
-  /// +1 inside, −1 outside, of what has non-negative signs inside; open when none is surely
-  /// negative and one is undecided.
-  static int verdict(std::initializer_list<Ball> signs) {
-    bool open = false;
-    for (const Ball& b : signs) {
-      const auto sign = b.sign();
-      if (sign && *sign < 0) return -1;
-      if (!sign || *sign == 0) open = true;
-    }
-    if (open) throw Open{};
-    return 1;
-  }
-  static bool surely_outside(std::initializer_list<Ball> signs) {
-    return std::any_of(signs.begin(), signs.end(), [](const Ball& b) { return b.mid + b.rad < 0; });
-  }
-
-  template <class Visit>
-  static void cross_lines(const Strand& a, const Strand& b, Visit&& visit) {
-    const BallVector u = a.to - a.from;
-    const BallVector v = b.to - b.from;
-    const Ball b0 = cross(u, b.from - a.from);
-    const Ball b1 = cross(u, b.to - a.from);
-    if (same_side(b0, b1)) return;
-    const Ball a0 = cross(v, a.from - b.from);
-    const Ball a1 = cross(v, a.to - b.from);
-    if (same_side(a0, a1)) return;
-    certain_sign(b0);
-    certain_sign(b1);
-    certain_sign(a0);
-    certain_sign(a1);
-    const auto t = divide(a0, a0 - a1);
-    if (!t) throw Open{};
-    visit(a.from + *t * u);
-  }
-  static bool same_side(const Ball& a, const Ball& b) {
-    const auto sa = a.sign();
-    const auto sb = b.sign();
-    return sa && sb && *sa == *sb && *sa != 0;
-  }
-
-  /// Non-negative signs mean: the direction v from the centre lies in the arc's sector.
-  static std::array<Ball, 2> sector(const Strand& arc, const BallVector& v) {
-    const Ball after = cross(arc.from - arc.centre, v);
-    const Ball before = cross(v, arc.to - arc.centre);
-    return arc.ccw ? std::array{after, before} : std::array{-after, -before};
-  }
-
-  template <class Visit>
-  static void cross_line_arc(const Strand& line, const Strand& arc, Visit&& visit) {
-    const BallVector u = line.to - line.from;
-    const Ball square = dot(u, u);
-    const BallVector c = arc.centre - line.from;
-    const Ball h = cross(u, c);  // distance of the centre times |u|
-    const Ball reach = arc.radius * arc.radius * square - h * h;
-    const auto sign = reach.sign();
-    if (sign && *sign < 0) return;
-    const auto foot = divide(dot(u, c), square);
-    if (!foot) throw Open{};
-    if (!sign || *sign == 0) {
-      // In contact or nearly: it matters only where both are.
-      const BallVector near = line.from + *foot * u - arc.centre;
-      const auto [after, before] = sector(arc, near);
-      if (surely_outside({*foot, Ball(1, 0) - *foot, after, before})) return;
-      throw Open{};
-    }
-    const auto root = sqrt(reach);
-    const auto half = root ? divide(*root, square) : std::nullopt;
-    if (!half) throw Open{};
-    for (const Ball& t : {*foot - *half, *foot + *half}) {
-      const BallVector at = line.from + t * u;
-      const auto [after, before] = sector(arc, at - arc.centre);
-      if (verdict({t, Ball(1, 0) - t, after, before}) > 0) visit(at);
-    }
-  }
-
-  template <class Visit>
-  static void cross_arcs(const Strand& a, const Strand& b, Visit&& visit) {
-    const BallVector v = b.centre - a.centre;
-    const Ball square = dot(v, v);
-    const Ball sum = a.radius + b.radius;
-    const Ball difference = a.radius - b.radius;
-    const Ball outside = sum * sum - square;
-    const Ball inside = square - difference * difference;
-    if (surely_outside({outside, inside})) return;
-    const Ball half(0.5L, 0);
-    const auto k = divide(half * (square + difference * sum), square);
-    if (!k) throw Open{};
-    const auto sign_out = outside.sign();
-    const auto sign_in = inside.sign();
-    if (!sign_out || *sign_out == 0 || !sign_in || *sign_in == 0) {
-      const BallVector near = *k * v;
-      const auto sa = sector(a, near);
-      const auto sb = sector(b, near - v);
-      if (surely_outside({sa[0], sa[1], sb[0], sb[1]})) return;
-      throw Open{};
-    }
-    // (r1/|v|)² − k² = (sum² − v²)(v² − difference²) / 4v⁴
-    const auto root = sqrt(outside * inside);
-    const auto s = root ? divide(half * *root, square) : std::nullopt;
-    if (!s) throw Open{};
-    const BallVector left{-v.y, v.x};
-    for (const Ball& off : {-*s, *s}) {
-      const BallVector from_a = *k * v + off * left;
-      const auto sa = sector(a, from_a);
-      const auto sb = sector(b, from_a - v);
-      if (verdict({sa[0], sa[1], sb[0], sb[1]}) > 0) visit(a.centre + from_a);
-    }
-  }
-
-  static BallVector tangent(const Strand& s, const BallVector& at) {
-    if (s.is_line) return s.to - s.from;
-    const BallVector v = at - s.centre;
-    return s.ccw ? BallVector{-v.y, v.x} : BallVector{v.y, -v.x};
-  }
-
-  /// A number that rises along the strand: the projection on a line, and on an arc of at most half
-  /// a turn minus the cosine from its beginning.
-  static Ball position(const Strand& s, const BallVector& at) {
-    if (s.is_line) return dot(s.to - s.from, at - s.from);
-    return -dot(s.from - s.centre, at - s.centre);
-  }
-
-  void add_events(std::size_t a, std::size_t b, const BallVector& at) {
-    ++counts_.crossings;
-    // b comes from the right of a when it turns left against it: going on along a one leaves its
-    // left.
-    const int step = certain_sign(cross(tangent(strands_[a], at), tangent(strands_[b], at)));
-    const std::size_t i = events_.size();
-    events_.push_back({a, position(strands_[a], at), -step, i + 1, at});
-    events_.push_back({b, position(strands_[b], at), step, i, at});
-  }
-
-  // --- order along the curve
-  // ------------------------------------------------------------------------
-
-  void sort_events() {
-    order_.resize(events_.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
-    std::sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t j) {
-      const Event& a = events_[i];
-      const Event& b = events_[j];
-      return a.strand != b.strand ? a.strand < b.strand : a.along.mid < b.along.mid;
+    tree_.emplace(std::move(boxes));
+    // The loop of the last strand a pair began with: pairs come in order of the first.
+    bool decided = true;
+    tree_->pairs([&](std::size_t i, std::size_t j) {
+      const auto a = static_cast<std::uint32_t>(i);
+      const auto b = static_cast<std::uint32_t>(j);
+      if (b == a + 1 ? next_strand(a) == b : closes(a, b)) return;
+      ++counts_.pairs;
+      if (decided) decided = cross_strands(a, b);
     });
-    rank_.resize(events_.size());
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-      rank_[order_[k]] = k;
-      if (k == 0) continue;
-      const Event& a = events_[order_[k - 1]];
-      const Event& b = events_[order_[k]];
-      if (a.strand == b.strand && certain_sign(b.along - a.along) < 0) throw Open{};
-    }
-    // Where each loop's events begin in the order.
-    first_event_.assign(loops_.size() + 1, order_.size());
-    for (std::size_t k = order_.size(); k-- > 0;)
-      first_event_[strands_[events_[order_[k]].strand].loop] = k;
-    for (std::size_t i = loops_.size(); i-- > 0;)
-      if (first_event_[i] == order_.size()) first_event_[i] = first_event_[i + 1];
+    counts_.crossings = passings_.size();
+    return decided;
   }
 
-  [[nodiscard]] std::size_t loop_of(std::size_t event) const {
-    return strands_[events_[event].strand].loop;
+  /// Whether b, somewhere behind a, is the last strand of a loop that begins with a.
+  [[nodiscard]] bool closes(std::uint32_t a, std::uint32_t b) const {
+    const auto begin = std::lower_bound(first_strand_.begin(), first_strand_.end(), a);
+    return begin != first_strand_.end() && *begin == a && begin[1] == b + 1;
+  }
+
+  bool cross_strands(std::uint32_t a, std::uint32_t b) {
+    ++counts_.decisions;
+    const Strand<double> sa = strand_of(strands_[a]);
+    const Strand<double> sb = strand_of(strands_[b]);
+    const Crossings<double> crossings = cross(sa, sb);
+    if (crossings.decided) {
+      add_passings(a, b, sa, sb, crossings);
+      return true;
+    }
+    ++counts_.fine;
+    const Strand<DoubleDouble> fa = fine(a);
+    const Strand<DoubleDouble> fb = fine(b);
+    const Crossings<DoubleDouble> finer = cross(fa, fb);
+    if (finer.decided) add_passings(a, b, fa, fb, finer);
+    return finer.decided;
+  }
+
+  template <class Real>
+  void add_passings(std::uint32_t a, std::uint32_t b, const Strand<Real>& sa,
+                    const Strand<Real>& sb, const Crossings<Real>& crossings) {
+    for (int i = 0; i < crossings.count; ++i) {
+      const Crossing<Real>& c = crossings.found[static_cast<std::size_t>(i)];
+      const Enclosed<Real> on_a = along(sa, c.at);
+      const Enclosed<Real> on_b = along(sb, c.at);
+      const auto radius = [](const Enclosed<Real>& e) {
+        return rounded_up(e.rad + 0x1p-52 * e.size());
+      };
+      passings_.push_back({coarse(c.at.x),
+                           coarse(c.at.y),
+                           {coarse(on_a.mid), coarse(on_b.mid)},
+                           {radius(on_a), radius(on_b)},
+                           {a, b},
+                           static_cast<std::int8_t>(c.turn),
+                           i == 1});
+    }
+  }
+
+  // --- order along the curve --------------------------------------------------------------------
+
+  [[nodiscard]] const Passing& passing(Event e) const { return passings_[e / 2]; }
+  [[nodiscard]] std::uint32_t strand(Event e) const { return passing(e).strand[e % 2]; }
+  [[nodiscard]] double position(Event e) const { return passing(e).along[e % 2]; }
+  [[nodiscard]] double radius(Event e) const { return passing(e).along_rad[e % 2]; }
+  static Event twin(Event e) { return e ^ 1U; }
+
+  /// Events strand by strand, in the order met along each.
+  bool sort_events() {
+    const std::size_t events = 2 * passings_.size();
+    first_event_.assign(strands_.size() + 1, 0);
+    for (const Passing& m : passings_)
+      for (const std::uint32_t s : m.strand) ++first_event_[s + 1];
+    for (std::size_t s = 0; s < strands_.size(); ++s) first_event_[s + 1] += first_event_[s];
+    order_.resize(events);
+    rank_.resize(events);
+    for (Event e = 0; e < events; ++e) order_[first_event_[strand(e)]++] = e;
+    for (std::size_t s = strands_.size(); s > 0; --s) first_event_[s] = first_event_[s - 1];
+    first_event_[0] = 0;
+    for (std::size_t s = 0; s < strands_.size(); ++s) {
+      const std::span<Event> here{order_.data() + first_event_[s],
+                                  first_event_[s + 1] - first_event_[s]};
+      if (here.size() > 1 && !sort_along(here)) return false;
+    }
+    for (std::uint32_t k = 0; k < events; ++k) rank_[order_[k]] = k;
+    return true;
+  }
+
+  bool sort_along(std::span<Event> events) {
+    std::ranges::sort(events, {}, [&](Event e) { return position(e); });
+    counts_.decisions += events.size() - 1;
+    std::size_t open = 0;
+    for (std::size_t k = 1; k < events.size(); ++k) {
+      const double gap = position(events[k]) - position(events[k - 1]);
+      if (!(gap > (radius(events[k]) + radius(events[k - 1])) * kUp)) ++open;
+    }
+    counts_.fine += open;
+    return open == 0 || sort_finely(events);
+  }
+
+  bool sort_finely(std::span<Event> events) {
+    struct Placed {
+      Event event;
+      Enclosed<DoubleDouble> at;
+    };
+    std::vector<Placed> placed;
+    const Strand<DoubleDouble> here = fine(strand(events.front()));
+    for (const Event e : events) {
+      const Passing& m = passing(e);
+      const Crossings<DoubleDouble> c = cross(fine(m.strand[0]), fine(m.strand[1]));
+      // Of two roots, doubles may have found one alone inside both; then so do double-doubles.
+      const std::size_t root = m.last ? 1 : 0;
+      if (!c.decided || c.count <= static_cast<int>(root)) return false;
+      placed.push_back({e, along(here, c.found[root].at)});
+    }
+    std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
+      return (a.at - b.at).mid.hi < 0;
+    });
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+      events[k] = placed[k].event;
+      if (k > 0 && (placed[k].at - placed[k - 1].at).sign() <= 0) return false;
+    }
+    return true;
+  }
+
+  /// Where the events of a loop begin in the order.
+  [[nodiscard]] std::uint32_t first_rank(std::size_t loop) const {
+    return first_event_[first_strand_[loop]];
+  }
+  [[nodiscard]] std::size_t loop_of(std::uint32_t strand) const {
+    const auto behind = std::upper_bound(first_strand_.begin(), first_strand_.end(), strand);
+    return static_cast<std::size_t>(behind - first_strand_.begin()) - 1;
   }
   /// The next event along the same loop.
-  [[nodiscard]] std::size_t next_event(std::size_t event) const {
-    const std::size_t loop = loop_of(event);
-    const std::size_t k = rank_[event] + 1;
-    return order_[k == first_event_[loop + 1] ? first_event_[loop] : k];
+  [[nodiscard]] Event next_event(Event e) const {
+    const std::uint32_t k = rank_[e] + 1;
+    const std::size_t loop = loop_of(strand(e));
+    return order_[k == first_rank(loop + 1) ? first_rank(loop) : k];
   }
 
-  // --- winding numbers
-  // ------------------------------------------------------------------------------
+  // --- winding numbers --------------------------------------------------------------------------
 
-  void carry_numbers() {
-    left_after_.resize(events_.size());
-    loop_number_.resize(loops_.size());
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
-      std::size_t probe = 0;
-      int number = number_at_some_strand(i, probe);
-      if (first_event_[i] == first_event_[i + 1]) {
-        loop_number_[i] = number;
-        continue;
+  /// Of the curve's left, going on along the strand. The second strand passes to the left of the
+  /// first: going on along the first leaves its left.
+  [[nodiscard]] int step(Event e) const {
+    return e % 2 == 0 ? -passing(e).turn : passing(e).turn;
+  }
+
+  bool carry_numbers() {
+    left_after_.resize(order_.size());
+    loop_number_.resize(source_->loops());
+    for (std::size_t loop = 0; loop < source_->loops(); ++loop) {
+      const auto start = number_on(loop);
+      if (!start) return false;
+      const auto [probe, number] = *start;
+      loop_number_[loop] = number;
+      const std::uint32_t begin = first_rank(loop);
+      const std::uint32_t count = first_rank(loop + 1) - begin;
+      if (count == 0) continue;
+      const auto first = first_behind_middle(probe);
+      if (!first) return false;
+      int left = number;
+      for (std::uint32_t n = 0; n < count; ++n) {
+        const Event e = order_[begin + (*first - begin + n) % count];
+        left += step(e);
+        left_after_[e] = left;
       }
-      // `number` holds at the middle of the strand `probe`: find the first event behind it.
-      std::size_t k = first_event_[i];
-      while (k < first_event_[i + 1] && !behind_middle(order_[k], probe)) ++k;
-      const std::size_t count = first_event_[i + 1] - first_event_[i];
-      for (std::size_t n = 0; n < count; ++n, ++k) {
-        const std::size_t event = order_[first_event_[i] + (k - first_event_[i]) % count];
-        number += events_[event].step;
-        left_after_[event] = number;
-      }
+      // Once round: no crossing was missed.
+      DGT_CHECK(left == number);
     }
+    return true;
   }
 
-  [[nodiscard]] static BallVector middle(const Strand& s) {
-    const Ball half(0.5L, 0);
-    const BallVector chord = half * (s.from + s.to);
-    if (s.is_line) return chord;
-    const BallVector out = chord - s.centre;
-    const auto length = sqrt(dot(out, out));
-    const auto scale = length ? divide(s.radius, *length) : std::nullopt;
-    if (!scale) throw Open{};
-    return s.centre + *scale * out;
+  /// The rank of the first event behind the middle of the strand, which halves its chord.
+  [[nodiscard]] std::optional<std::uint32_t> first_behind_middle(std::uint32_t strand) {
+    const Strand<double> s = strand_of(strands_[strand]);
+    const EnclosedVector<double> chord = s.to - s.from;
+    const Enclosed<double> middle = Enclosed<double>{0.5, 0} * dot(chord, chord);
+    std::uint32_t k = first_event_[strand];
+    for (; k < first_event_[strand + 1]; ++k) {
+      const Event e = order_[k];
+      const int behind = (Enclosed<double>{position(e), radius(e)} - middle).sign();
+      if (behind == 0) return std::nullopt;
+      if (behind > 0) break;
+    }
+    return k;
   }
 
-  [[nodiscard]] bool behind_middle(std::size_t event, std::size_t strand) const {
-    const Event& e = events_[event];
-    if (e.strand != strand) return e.strand > strand;
-    return certain_sign(e.along - position(strands_[strand], middle(strands_[strand]))) > 0;
-  }
+  struct Number {
+    std::uint32_t strand;
+    int left;
+  };
 
   /// The winding number left of the middle of some strand of the loop, by a ray to the right.
-  int number_at_some_strand(std::size_t loop, std::size_t& probe) const {
-    const std::size_t begin = first_strand_[loop];
-    const std::size_t end = first_strand_[loop + 1];
-    constexpr std::size_t kTries = 8;
-    for (std::size_t n = 0; n < kTries; ++n) {
-      probe = begin + n * (end - begin) / kTries;
-      try {
-        return number_left_of(probe);
-      } catch (const Open&) {
-        if (n + 1 == kTries) throw;
-      }
+  std::optional<Number> number_on(std::size_t loop) {
+    const std::uint32_t begin = first_strand_[loop];
+    const std::uint32_t end = first_strand_[loop + 1];
+    constexpr std::uint32_t kTries = 12;
+    for (std::uint32_t n = 0; n < kTries; ++n) {
+      // Not at regular steps: contours repeat themselves.
+      const std::uint32_t count = end - begin;
+      const std::uint32_t probe =
+          begin + static_cast<std::uint32_t>(std::uint64_t{count} * n / kTries + n) % count;
+      ++counts_.decisions;
+      if (!first_behind_middle(probe)) continue;
+      if (const auto left = number_left_of<double>(probe)) return Number{probe, *left};
+      ++counts_.fine;
+      if (const auto left = number_left_of<DoubleDouble>(probe)) return Number{probe, *left};
     }
-    throw Open{};
+    return std::nullopt;
   }
 
-  int number_left_of(std::size_t strand) const {
-    const Strand& s = strands_[strand];
-    Strand ray;
-    ray.from = middle(s);
-    ray.to = {Ball(static_cast<long double>(right_) + 1, 0), ray.from.y};
-    int number = 0;
-    const auto count = [&](const Strand& t, const BallVector& at) {
-      number += certain_sign(tangent(t, at).y);
-    };
-    const Box box = box_of(ray);
-    tree_->overlapping(box, [&](std::size_t i) {
-      const Strand& t = strands_[i];
-      if (i == strand) {
-        count_own_return(t, ray.from, number);
-        return;
-      }
-      cross_strands(ray, t, [&](const BallVector& at) { count(t, at); });
-    });
+  template <class Real>
+  [[nodiscard]] Strand<Real> strand_in(std::uint32_t s) const {
+    if constexpr (std::is_same_v<Real, double>)
+      return strand_of(strands_[s]);
+    else
+      return fine(s);
+  }
+
+  template <class Real>
+  static std::optional<EnclosedVector<Real>> middle_of(const Strand<Real>& s) {
+    const Enclosed<Real> half{Real(0.5), 0};
+    if (s.is_line) return half * (s.from + s.to);
+    const EnclosedVector<Real> chord = s.to - s.from;
+    const Enclosed<Real> square = dot(chord, chord);
+    if (square.sign() <= 0) return std::nullopt;
+    const EnclosedVector<Real> out = (s.radius / root(square)) * turned_left(chord);
+    return s.counter_clockwise ? s.centre - out : s.centre + out;
+  }
+
+  template <class Real>
+  [[nodiscard]] std::optional<int> number_left_of(std::uint32_t probe) const {
+    const Strand<Real> s = strand_in<Real>(probe);
+    const auto middle = middle_of(s);
+    if (!middle) return std::nullopt;
+    Strand<Real> ray;
+    ray.from = *middle;
+    ray.to = {Real(right_ + 1), middle->y, middle->rad};
+    // What the strand heads at its middle is its chord.
+    const int heading = Enclosed<Real>{s.to.y - s.from.y, 2 * (s.from.rad + s.to.rad)}.sign();
+    if (heading == 0) return std::nullopt;
     // The ray leaves to the right of a strand that heads up, to the left of one that heads down.
-    return certain_sign(tangent(s, ray.from).y) < 0 ? number : number + 1;
+    int number = heading < 0 ? 0 : 1;
+    bool decided = true;
+    const double y = coarse(middle->y);
+    const double slack = middle->rad + 0x1p-52 * std::fabs(y);
+    const Box box{coarse(middle->x) - slack - 0x1p-52 * std::fabs(coarse(middle->x)), y - slack,
+                  right_ + 1, y + slack};
+    tree_->overlapping(box, [&](std::size_t i) {
+      if (!decided) return;
+      const auto other = static_cast<std::uint32_t>(i);
+      const Crossings<Real> c =
+          other == probe ? own_return(s, ray) : cross(ray, strand_in<Real>(other));
+      decided = c.decided;
+      for (int k = 0; k < c.count; ++k) number += c.found[static_cast<std::size_t>(k)].turn;
+    });
+    if (!decided) return std::nullopt;
+    return number;
   }
 
-  /// A ray that starts on an arc may meet it once more, mirrored in the vertical through its
-  /// centre.
-  static void count_own_return(const Strand& arc, const BallVector& start, int& number) {
-    if (arc.is_line) return;
-    const Ball back = arc.centre.x - start.x;
-    if (certain_sign(back) < 0) return;
-    const BallVector at{arc.centre.x + back, start.y};
-    const auto [after, before] = sector(arc, at - arc.centre);
-    if (verdict({after, before}) > 0) number += certain_sign(tangent(arc, at).y);
-  }
-
-  // --- the result
-  // -----------------------------------------------------------------------------------
-
-  std::vector<OffsetLoop> trace(int wanted) {
-    std::vector<OffsetLoop> result;
-    std::vector<bool> used(events_.size(), false);
-    for (const std::size_t first : order_) {
-      if (used[first] || left_after_[first] != wanted) continue;
-      OffsetLoop& loop = result.emplace_back();
-      std::size_t event = first;
-      do {
-        DGT_CHECK(!used[event] && left_after_[event] == wanted);
-        used[event] = true;
-        const std::size_t end = next_event(event);
-        add_stretch(loop, event, end);
-        event = events_[end].twin;
-      } while (event != first);
-    }
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
-      if (first_event_[i] != first_event_[i + 1] || loop_number_[i] != wanted) continue;
-      OffsetLoop& loop = result.emplace_back();
-      for (std::size_t s = first_strand_[i]; s < first_strand_[i + 1]; ++s)
-        add_piece(loop, s, end_of(s, true), end_of(s, false));
-    }
+  /// A ray that starts on an arc may meet it once more, mirrored in the vertical through its centre.
+  template <class Real>
+  static Crossings<Real> own_return(const Strand<Real>& arc, const Strand<Real>& ray) {
+    if (arc.is_line) return {};
+    const EnclosedVector<Real> out = arc.centre - ray.from;
+    const Enclosed<Real> back{out.x, out.rad};
+    if (back.sign() < 0) return {};
+    EnclosedVector<Real> at = arc.centre;
+    at.x = at.x + back.mid;
+    at.y = ray.from.y;
+    at.rad = (arc.centre.rad + out.rad + ray.from.rad + 0x1p-52 * at.size()) * kUp;
+    const int on = crossing::on_arc(arc, at);
+    if (on < 0) return {};
+    if (on == 0 || back.sign() == 0) return crossing::undecided<Real>();
+    Crossings<Real> result;
+    result.add(at, arc.counter_clockwise ? 1 : -1);
     return result;
   }
 
-  /// A point that balls place and that `exact` can work out.
-  static Point point_at(const BallVector& at, std::function<ExactPoint()> exact) {
-    const auto x = at.x.nearest_double();
-    const auto y = at.y.nearest_double();
-    if (x && y) return Point::on_demand(*x, *y, std::move(exact));
-    return Point(exact());
+  /// The number of the region left of the loops (offset_raw.h), told by the loop of the widest box.
+  [[nodiscard]] int region_number() const {
+    std::size_t widest = 0;
+    double width = -1;
+    for (std::size_t loop = 0; loop < source_->loops(); ++loop) {
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (std::uint32_t i = source_->first(loop); i < source_->first(loop + 1); ++i) {
+        const double x = source_->edge<double>(i).from.x;
+        low = std::min(low, x);
+        high = std::max(high, x);
+      }
+      if (high - low > width) {
+        width = high - low;
+        widest = loop;
+      }
+    }
+    double twice_area = 0;
+    for (std::uint32_t i = source_->first(widest); i < source_->first(widest + 1); ++i) {
+      const EnclosedEdge<double> e = source_->edge<double>(i);
+      twice_area += e.from.x * e.to.y - e.to.x * e.from.y;
+      if (e.is_line) continue;
+      const double r = std::fabs(e.radius.mid);
+      const double chord = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y);
+      const double sweep = 2 * std::asin(std::min(1.0, chord / (2 * r)));
+      twice_area += (e.counter_clockwise ? 1 : -1) * r * r * (sweep - std::sin(sweep));
+    }
+    return twice_area < 0 ? 0 : 1;
   }
 
-  [[nodiscard]] Point end_of(std::size_t strand, bool beginning) const {
-    const Strand& s = strands_[strand];
-    return point_at(beginning ? s.from : s.to,
-                    [source = source_, loop = s.loop, edge = s.edge, corner = s.corner, beginning] {
-                      const RawPiece raw = source->piece(loop, edge, corner);
-                      return ExactPoint(beginning ? raw.from : raw.to);
-                    });
+  // --- the result -------------------------------------------------------------------------------
+
+  OffsetRegion trace() {
+    const int wanted = region_number();
+    OffsetRegion region;
+    region.source_ = source_;
+    std::vector<bool> used(order_.size(), false);
+    for (const Event first : order_) {
+      if (used[first] || left_after_[first] != wanted) continue;
+      Event e = first;
+      do {
+        DGT_CHECK(!used[e] && left_after_[e] == wanted);
+        used[e] = true;
+        const Event end = next_event(e);
+        add_stretch(region, e, end);
+        e = twin(end);
+      } while (e != first);
+      region.first_.push_back(region.pieces_.size());
+    }
+    for (std::size_t loop = 0; loop < source_->loops(); ++loop) {
+      if (first_rank(loop) != first_rank(loop + 1) || loop_number_[loop] != wanted) continue;
+      for (std::uint32_t s = first_strand_[loop]; s < first_strand_[loop + 1]; ++s)
+        add_piece(region, s);
+      region.first_.push_back(region.pieces_.size());
+    }
+    return region;
   }
 
-  [[nodiscard]] Point place_of(std::size_t event) const {
-    const Event& e = events_[event];
-    const std::size_t other = events_[e.twin].strand;
-    const double x = static_cast<double>(e.at.x.mid);
-    const double y = static_cast<double>(e.at.y.mid);
-    // Of the two places where the supports meet, the one near the ball.
-    return point_at(e.at, [source = source_, a = key(std::min(e.strand, other)),
-                           b = key(std::max(e.strand, other)), x, y] {
-      const auto places = cgal::support_crossings(source->piece(a.loop, a.edge, a.corner),
-                                                  source->piece(b.loop, b.edge, b.corner));
-      const auto far = [&](const ExactPoint& p) {
-        return std::hypot(nearest_double(p.x) - x, nearest_double(p.y) - y);
-      };
-      return *std::min_element(places.begin(), places.end(),
-                               [&](const auto& p, const auto& q) { return far(p) < far(q); });
-    });
-  }
-  struct Key {
-    std::size_t loop;
-    std::size_t edge;
-    bool corner;
-  };
-  [[nodiscard]] Key key(std::size_t strand) const {
-    const Strand& s = strands_[strand];
-    return {s.loop, s.edge, s.corner};
-  }
-
-  void add_stretch(OffsetLoop& loop, std::size_t begin, std::size_t end) const {
-    Point from = place_of(begin);
-    std::size_t strand = events_[begin].strand;
-    bool once_round = events_[end].strand == strand && rank_[end] <= rank_[begin];
-    while (strand != events_[end].strand || once_round) {
+  void add_stretch(OffsetRegion& region, Event begin, Event end) const {
+    const std::uint32_t last = strand(end);
+    std::uint32_t s = strand(begin);
+    RegionPiece& first = add_piece(region, s);
+    const Passing& m = passing(begin);
+    first.x = m.x;
+    first.y = m.y;
+    first.cut = strands_[m.strand[0]].key;
+    first.by = strands_[m.strand[1]].key;
+    bool once_round = s == last && rank_[end] <= rank_[begin];
+    while (s != last || once_round) {
       once_round = false;
-      const Point to = end_of(strand, false);
-      add_piece(loop, strand, from, to);
-      from = to;
-      strand = next_strand(strand);
+      s = next_strand(s);
+      add_piece(region, s);
     }
-    add_piece(loop, strand, from, place_of(end));
   }
 
-  void add_piece(OffsetLoop& loop, std::size_t strand, const Point& from, const Point& to) const {
-    OffsetPiece piece;
-    piece.from = from;
-    piece.to = to;
-    const Strand& s = strands_[strand];
-    piece.is_line = s.is_line;
-    if (!s.is_line) {
-      const ChainEdge& edge = loops_[s.loop].edges[s.edge];
-      piece.centre = s.corner ? edge.to : edge.centre();
-      piece.radius = s.corner ? distance_ : Rational(abs(edge.radius - distance_));
-      if (!s.ccw) piece.radius = -piece.radius;
-    }
-    loop.pieces.push_back(std::move(piece));
+  RegionPiece& add_piece(OffsetRegion& region, std::uint32_t s) const {
+    const Kept& k = strands_[s];
+    RegionPiece piece{k.from_x, k.from_y, k.centre_x, k.centre_y, 0, k.key, k.key, k.key};
+    if (!k.is_line) piece.radius = k.counter_clockwise ? k.radius : -k.radius;
+    region.pieces_.push_back(piece);
+    return region.pieces_.back();
   }
 
-  std::shared_ptr<const Source> source_;
-  const std::vector<Chain>& loops_;
-  const Rational& distance_;
+  std::shared_ptr<const OffsetSource> source_;
   OffsetCounts& counts_;
-  std::vector<Strand> strands_;
-  std::vector<std::size_t> first_strand_;  ///< of each loop, and one behind
+  std::vector<Kept> strands_;
+  std::vector<std::uint32_t> first_strand_;  ///< of each loop, and one behind
   std::optional<BoxTree> tree_;
   double right_ = -std::numeric_limits<double>::infinity();
-  std::vector<Event> events_;
-  std::vector<std::size_t> order_;        ///< events along the curve
-  std::vector<std::size_t> rank_;         ///< of an event in the order
-  std::vector<std::size_t> first_event_;  ///< of each loop in the order, and one behind
-  std::vector<int> left_after_;           ///< number left of the stretch behind an event
-  std::vector<int> loop_number_;          ///< of loops without events
+  std::vector<Passing> passings_;
+  std::vector<Event> order_;                ///< events along the curve
+  std::vector<std::uint32_t> rank_;         ///< of an event in the order
+  std::vector<std::uint32_t> first_event_;  ///< of each strand in the order, and one behind
+  std::vector<int> left_after_;             ///< number left of the stretch behind an event
+  std::vector<int> loop_number_;            ///< where each loop was probed
 };
 
+// --- from input to result -------------------------------------------------------------------------
+
+namespace {
+
+/// Whether doubles can follow the loops at all: chains may hold anything.
+bool suits_doubles(const OffsetSource& source) {
+  if (!(source.decisive_distance<double>().size() < kLargest)) return false;
+  for (std::uint32_t i = 0; i < source.edges(); ++i) {
+    const EnclosedEdge<double> e = source.edge<double>(i);
+    if (!(e.from.size() < kLargest && e.radius.size() < kLargest)) return false;
+  }
+  return true;
+}
+
+OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source,
+                          OffsetCounts& counts) {
+  counts.exact = counts.decisions;
+  return OffsetRegion::of(reference_offset(source->exact_loops(), source->distance()));
+}
+
+template <class Loops>
+OffsetRegion region_of(const Loops& loops, const Rational& distance, OffsetCounts& counts) {
+  counts = {};
+  if (loops.empty()) return {};
+  const bool grows = sgn(distance) < 0;  // growing the region is shrinking what lies beyond it
+  const auto source = std::make_shared<const OffsetSource>(loops, abs(distance), grows);
+  std::optional<OffsetRegion> found;
+  if (sgn(distance) != 0 && suits_doubles(*source)) found = OffsetEngine(source, counts).run();
+  OffsetRegion region = found ? *std::move(found) : by_reference(source, counts);
+  if (grows) region.reverse();
+  return region;
+}
+
 }  // namespace
+
+OffsetRegion production_offset(const std::vector<BulgePolyline>& loops, const Rational& distance,
+                               OffsetCounts* counts) {
+  OffsetCounts ignored;
+  return region_of(loops, distance, counts ? *counts : ignored);
+}
 
 std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops, const Rational& distance,
                                           OffsetCounts* counts) {
   OffsetCounts ignored;
-  OffsetCounts& counted = counts ? *counts : ignored;
-  counted = {};
-  if (loops.empty()) return {};
-  if (sgn(distance) == 0) {
-    counted.by_reference = true;
-    return reference_offset(loops, distance);
-  }
-  if (sgn(distance) < 0) {  // growing the region is shrinking what lies beyond it
-    std::vector<OffsetLoop> result = production_offset(reversed(loops), -distance, &counted);
-    reverse_loops(result);
-    return result;
-  }
-  try {
-    std::vector<OffsetLoop> result = Engine(loops, distance, counted).run();
-    drop_void_loops(result, loops, distance);
-    return result;
-  } catch (const Open&) {
-    counted.by_reference = true;
-    return reference_offset(loops, distance);
-  }
+  return region_of(loops, distance, counts ? *counts : ignored).exact();
 }
 
 }  // namespace dgt

@@ -66,6 +66,19 @@ bool may_have_voids(const std::vector<Chain>& loops, const Rational& distance) {
   });
 }
 
+bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
+  if (a.is_line != b.is_line) return false;
+  if (!a.is_line) return a.centre == b.centre && a.radius == b.radius;
+  // Lines of one edge are cut at one-root points only: their directions agree to rounding.
+  const auto direction = [](const OffsetPiece& p) {
+    return std::pair(p.to.x() - p.from.x(), p.to.y() - p.from.y());
+  };
+  const auto [ax, ay] = direction(a);
+  const auto [bx, by] = direction(b);
+  return std::fabs(ax * by - ay * bx) <= 1e-12 * std::hypot(ax, ay) * std::hypot(bx, by) &&
+         ax * bx + ay * by > 0;
+}
+
 }  // namespace
 
 std::optional<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
@@ -135,6 +148,27 @@ void drop_void_loops(std::vector<OffsetLoop>& result, const std::vector<Chain>& 
     if (is_sliver(loop)) return true;
     return voids && !keeps_distance(loops, point_inside(loop.pieces.front()), distance);
   });
+}
+
+void merge_pieces(OffsetLoop& loop) {
+  auto& pieces = loop.pieces;
+  // Begin at a true corner, so that no run passes the seam.
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const OffsetPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
+    if (same_support(before, pieces[i])) continue;
+    std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), pieces.end());
+    break;
+  }
+  std::vector<OffsetPiece> merged;
+  for (OffsetPiece& piece : pieces) {
+    const bool goes_on =
+        !merged.empty() && same_support(merged.back(), piece) && merged.size() + pieces.size() > 3;
+    if (goes_on && !(piece.is_line == false && merged.back().from == piece.to))
+      merged.back().to = piece.to;
+    else
+      merged.push_back(std::move(piece));
+  }
+  pieces = std::move(merged);
 }
 
 std::vector<Chain> reversed(const std::vector<Chain>& loops) {

@@ -38,6 +38,9 @@ struct RawPiece {
 void drop_void_loops(std::vector<OffsetLoop>& result, const std::vector<Chain>& loops,
                      const Rational& distance);
 
+/// Joins the x-monotone parts of one arc, and of one line, again.
+void merge_pieces(OffsetLoop& loop);
+
 [[nodiscard]] std::vector<Chain> reversed(const std::vector<Chain>& loops);
 /// The same loops run the other way.
 void reverse_loops(std::vector<OffsetLoop>& loops);

@@ -52,12 +52,12 @@ TEST(ProductionOffset, RandomRingsGiveTheLoopsOfTheReference) {
       OffsetCounts counts;
       EXPECT_TRUE(same_loops(ring, *parse_decimal(d), &counts))
           << "n " << n << " seed " << seed << " distance " << d;
-      by_reference += counts.by_reference ? 1 : 0;
+      by_reference += counts.exact > 0 ? 1 : 0;
       ++all;
     }
   }
   // Ordinary parts are settled by balls.
-  EXPECT_LE(by_reference * 50, all);
+  EXPECT_EQ(by_reference, 0) << "of " << all;
 }
 
 TEST(ProductionOffset, SlotsGiveTheLoopsOfTheReference) {

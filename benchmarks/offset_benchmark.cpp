@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Offsets by both engines over families of contours (offset_shapes.h); GEOS on the same shapes with
+// arcs as chords of 1 µm height, tessellation not timed. Counters: nanoseconds an element, decisions
+// an element and how many of these each stage of the cascade had to take.
+#include <benchmark/benchmark.h>
+
+#include "benchmarks/offset_shapes.h"
+#include "kernel/offset.h"
+
+namespace dgt {
+namespace {
+
+/// Ordinary parts ask the exact stage for less than a thousandth of their decisions.
+constexpr double kExactShare = 0.001;
+
+void report(benchmark::State& state, std::size_t elements, const OffsetCounts& counts) {
+  const auto n = static_cast<double>(elements);
+  state.counters["ns/element"] =
+      benchmark::Counter(n * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
+                                       benchmark::Counter::kInvert);
+  const auto decisions = static_cast<double>(counts.decisions);
+  state.counters["pairs/element"] = static_cast<double>(counts.pairs) / n;
+  state.counters["decisions/element"] = decisions / n;
+  state.counters["fine"] = static_cast<double>(counts.fine) / decisions;
+  state.counters["exact"] = static_cast<double>(counts.exact) / decisions;
+}
+
+enum class Part { Ordinary, Degenerate };
+
+void production(benchmark::State& state, const BulgePolyline& shape, const char* distance,
+                Part part) {
+  const std::vector<BulgePolyline> loops = {shape};
+  const Rational d = parse_decimal(distance).value();
+  OffsetCounts counts;
+  for (auto _ : state) benchmark::DoNotOptimize(production_offset(loops, d, &counts).loops());
+  report(state, shape.size(), counts);
+  if (part == Part::Ordinary &&
+      static_cast<double>(counts.exact) > kExactShare * static_cast<double>(counts.decisions))
+    state.SkipWithError("too many decisions reach the exact stage");
+}
+
+void reference(benchmark::State& state, const BulgePolyline& shape, const char* distance) {
+  const std::vector<Chain> loops = {shapes::chain(shape)};
+  const Rational d = parse_decimal(distance).value();
+  for (auto _ : state) benchmark::DoNotOptimize(reference_offset(loops, d).size());
+  report(state, shape.size(), {.decisions = 1});
+}
+
+using shapes::gear;
+using shapes::ring;
+using shapes::slots;
+using shapes::wavy;
+
+BENCHMARK_CAPTURE(production, gear60, gear(60), "0.4", Part::Ordinary);
+BENCHMARK_CAPTURE(production, rand1000, ring(1000), "1", Part::Ordinary);
+BENCHMARK_CAPTURE(production, rand1000_outside, ring(1000), "-5", Part::Ordinary);
+BENCHMARK_CAPTURE(production, slots250, slots(250), "0.9", Part::Ordinary);
+BENCHMARK_CAPTURE(production, slots250_as_wide_as_the_tool, slots(250), "1", Part::Degenerate);
+BENCHMARK_CAPTURE(production, wavy1000, wavy(1000), "2", Part::Ordinary);
+BENCHMARK_CAPTURE(production, gear6000, gear(6000), "0.4", Part::Ordinary)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(production, rand10000, ring(10000), "1", Part::Ordinary)
+    ->Unit(benchmark::kMillisecond);
+
+BENCHMARK_CAPTURE(reference, rand1000, ring(1000), "1")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(reference, gear60, gear(60), "0.4")->Unit(benchmark::kMillisecond);
+
+void growth(benchmark::State& state) {
+  const std::vector<BulgePolyline> loops = {ring(static_cast<unsigned>(state.range(0)))};
+  for (auto _ : state) benchmark::DoNotOptimize(production_offset(loops, 1).loops());
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(growth)->RangeMultiplier(10)->Range(100, 1000000)->Complexity(benchmark::oNLogN);
+
+}  // namespace
+}  // namespace dgt

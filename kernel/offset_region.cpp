@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/cgal/raw_crossing.h"
+#include "kernel/check.h"
+#include "kernel/offset.h"
+#include "kernel/offset_raw.h"
+#include "kernel/offset_source.h"
+
+namespace dgt {
+namespace {
+
+/// The double nearest to an enclosed number, unless the ends of the enclosure round differently.
+std::optional<double> rounded(const DoubleDouble& value, double rad) {
+  const double low = value.hi + (value.lo - rad * kUp);
+  const double high = value.hi + (value.lo + rad * kUp);
+  if (low != high) return std::nullopt;
+  static const double kZero = std::ldexp(1.0, kZeroExponent);
+  if (std::fabs(low) > 2 * kZero) return low;
+  return std::nullopt;
+}
+
+/// A vertex as the source has it: where two raw pieces cross, or where one begins.
+class Vertex {
+ public:
+  Vertex(std::shared_ptr<const OffsetSource> source, const RegionPiece& piece)
+      : source_(std::move(source)), piece_(piece) {}
+
+  [[nodiscard]] Point point() const {
+    const EnclosedVector<DoubleDouble> at = fine();
+    const auto x = rounded(at.x, at.rad);
+    const auto y = rounded(at.y, at.rad);
+    if (x && y) return Point::on_demand(*x, *y, [*this] { return exact(); });
+    return Point(exact());
+  }
+
+ private:
+  /// Where double-doubles have the vertex for the distance asked for, as a rule to 2⁻⁹⁰ mm; an
+  /// endless radius where they cannot tell.
+  [[nodiscard]] EnclosedVector<DoubleDouble> fine() const {
+    constexpr double kEndless = 1e300;
+    const Enclosed<DoubleDouble> d = source_->fine_distance();
+    const Strand<DoubleDouble> a = source_->strand(piece_.cut, d);
+    if (piece_.cut == piece_.by) return a.from;
+    const Crossings<DoubleDouble> c = cross(a, source_->strand(piece_.by, d));
+    if (!c.decided || c.count == 0) return {0, 0, kEndless};
+    const auto far = [&](int i) {
+      const auto& at = c.found[static_cast<std::size_t>(i)].at;
+      return std::hypot(at.x.hi - piece_.x, at.y.hi - piece_.y);
+    };
+    return c.found[c.count == 2 && far(1) < far(0) ? 1 : 0].at;
+  }
+
+  [[nodiscard]] ExactPoint exact() const {
+    if (piece_.cut == piece_.by)
+      return ExactPoint(source_->exact_beginning(piece_.cut));
+    // What only touches when the distance is exact may be apart by what stand-ins are off; beyond
+    // it, the two cross.
+    for (const Rational& beyond : {Rational(0), power_of_two(kContactExponent)}) {
+      const Rational d = source_->distance() + beyond;
+      const auto places = cgal::support_crossings(source_->exact_piece(piece_.cut, d),
+                                                  source_->exact_piece(piece_.by, d));
+      if (!places.empty()) return *std::ranges::min_element(places, {}, [&](const ExactPoint& p) {
+        return std::hypot(nearest_double(p.x) - piece_.x, nearest_double(p.y) - piece_.y);
+      });
+    }
+    DGT_CHECK(false);
+  }
+
+  std::shared_ptr<const OffsetSource> source_;
+  RegionPiece piece_;
+};
+
+}  // namespace
+
+OffsetRegion OffsetRegion::of(std::vector<OffsetLoop> loops) {
+  OffsetRegion region;
+  for (const OffsetLoop& loop : loops) {
+    for (const OffsetPiece& p : loop.pieces) {
+      RegionPiece& piece = region.pieces_.emplace_back();
+      piece.x = p.from.x();
+      piece.y = p.from.y();
+      if (p.is_line) continue;
+      piece.centre_x = nearest_double(p.centre.x);
+      piece.centre_y = nearest_double(p.centre.y);
+      piece.radius = nearest_double(p.radius);
+    }
+    region.first_.push_back(region.pieces_.size());
+  }
+  region.exact_ = std::move(loops);
+  return region;
+}
+
+void OffsetRegion::reverse() {
+  reverse_loops(exact_);
+  for (std::size_t i = 0; i < loops(); ++i) {
+    const std::span<RegionPiece> loop{pieces_.data() + first_[i], first_[i + 1] - first_[i]};
+    std::ranges::reverse(loop);
+    // A piece now begins where the one before it did.
+    const RegionPiece last = loop.back();
+    for (std::size_t k = loop.size(); k-- > 0;) {
+      const RegionPiece& begins = k == 0 ? last : loop[k - 1];
+      RegionPiece& piece = loop[k];
+      piece.radius = -piece.radius;
+      piece.x = begins.x;
+      piece.y = begins.y;
+      piece.cut = begins.cut;
+      piece.by = begins.by;
+    }
+  }
+}
+
+void OffsetRegion::drop(const std::vector<bool>& which) {
+  std::vector<std::size_t> first = {0};
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < loops(); ++i) {
+    if (which[i]) continue;
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) pieces_[kept++] = pieces_[k];
+    first.push_back(kept);
+  }
+  pieces_.resize(kept);
+  first_ = std::move(first);
+}
+
+std::vector<OffsetLoop> OffsetRegion::exact() const {
+  if (!source_) return exact_;
+  std::vector<OffsetLoop> result;
+  for (std::size_t i = 0; i < loops(); ++i) {
+    OffsetLoop& exact = result.emplace_back();
+    for (const RegionPiece& piece : loop(i)) {
+      OffsetPiece& p = exact.pieces.emplace_back();
+      p.from = Vertex(source_, piece).point();
+      p.is_line = piece.radius == 0;
+      if (p.is_line) continue;
+      const ChainEdge edge = source_->exact_edge(piece.on.edge());
+      p.centre = piece.on.corner() ? edge.to : edge.centre();
+      p.radius = piece.on.corner() ? source_->distance()
+                                 : Rational(abs(edge.radius - source_->distance()));
+      if (piece.radius < 0) p.radius = -p.radius;
+    }
+    for (std::size_t k = 0; k < exact.pieces.size(); ++k)
+      exact.pieces[k].to = exact.pieces[(k + 1) % exact.pieces.size()].from;
+    merge_pieces(exact);
+  }
+  return result;
+}
+
+}  // namespace dgt

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/offset_source.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "kernel/check.h"
+
+namespace dgt {
+namespace {
+
+/// Exact edges are rational stand-ins: their normals lie within 2^−kStandInBits of the ideal ones.
+constexpr double kStandIn = 0x1p-95;
+static_assert(kStandInBits == 96);
+
+template <class Real>
+Enclosed<Real> enclosed(const Rational& value);
+// mpq_get_d rounds towards zero: off by one unit in the last place.
+template <>
+Enclosed<double> enclosed(const Rational& value) {
+  const double d = value.get_d();
+  return {d, d == value ? 0 : 0x1p-52 * std::fabs(d)};
+}
+template <>
+Enclosed<DoubleDouble> enclosed(const Rational& value) {
+  const double high = value.get_d();
+  const Rational rest = value - high;
+  const double low = rest.get_d();
+  const DoubleDouble sum = DoubleDouble::ordered_sum(high, low);
+  return {sum, low == rest ? 0 : 0x1p-103 * std::fabs(high)};
+}
+
+template <class Real>
+EnclosedVector<Real> enclosed(const Vector& v) {
+  const Enclosed<Real> x = enclosed<Real>(v.x);
+  const Enclosed<Real> y = enclosed<Real>(v.y);
+  return {x.mid, y.mid, std::max(x.rad, y.rad)};
+}
+
+template <class Real>
+EnclosedEdge<Real> enclosed(const ChainEdge& e) {
+  return {enclosed<Real>(e.from),
+          enclosed<Real>(e.to),
+          enclosed<Real>(e.start.vector()),
+          enclosed<Real>(e.end.vector()),
+          enclosed<Real>(e.radius),
+          e.is_line(),
+          sgn(e.radius) > 0};
+}
+
+template <class Real>
+EnclosedEdge<Real> reversed(const EnclosedEdge<Real>& e) {
+  return {e.to, e.from, -e.end, -e.start, -e.radius, e.is_line, !e.counter_clockwise};
+}
+
+bool is_straight(const BulgePoint& p) {
+  return std::fabs(p.bulge) < std::ldexp(1.0, kStraightBulgeExponent);
+}
+
+/// The edge from p to q. With b the bulge, the sine and cosine of half the sweep are 2b/(1 + b²) and
+/// (1 − b²)/(1 + b²): by it the normals at the ends are turned against the chord's, and the radius
+/// is |w| (1 + b²) / 4b. The exact radius |w|²/(2 w·n) follows the stand-in n: it is off by 2⁻⁹⁶ of
+/// the sine.
+template <class Real>
+EnclosedEdge<Real> edge_between(const BulgePoint& p, const BulgePoint& q) {
+  EnclosedEdge<Real> e;
+  e.from = {p.x, p.y, 0};
+  e.to = {q.x, q.y, 0};
+  const EnclosedVector<Real> w = e.to - e.from;
+  const Enclosed<Real> length = root(dot(w, w));
+  const Enclosed<Real> one{Real(1.0), 0};
+  const EnclosedVector<Real> normal = turned_left((one / length) * w);
+  e.is_line = is_straight(p);
+  if (e.is_line) {
+    e.start = normal;
+    e.start.rad += kStandIn;
+    e.end = e.start;
+    return e;
+  }
+  const Enclosed<Real> b{Real(p.bulge), 0};
+  const Enclosed<Real> square = b * b;
+  const Enclosed<Real> whole = one + square;
+  const EnclosedVector<Real> straight = ((one - square) / whole) * normal;
+  const EnclosedVector<Real> turn = ((b + b) / whole) * turned_left(normal);
+  e.start = straight - turn;
+  e.end = straight + turn;
+  e.start.rad += kStandIn;
+  e.end.rad += kStandIn;
+  e.radius = (length * whole) / Enclosed<Real>{Real(4 * p.bulge), 0};
+  e.radius.rad += kStandIn * e.radius.size() / std::fabs(p.bulge);
+  e.counter_clockwise = p.bulge > 0;
+  return e;
+}
+
+template <class Real>
+std::optional<Joint> joint_of(const EnclosedEdge<Real>& e, const EnclosedEdge<Real>& next) {
+  const Enclosed<Real> turn = cross(e.end, next.start);
+  if (turn.size() + turn.rad <= kTangent && dot(e.end, next.start).sign() > 0)
+    return Joint::Tangent;
+  const int way = turn.sign();
+  if (way == 0) return std::nullopt;
+  return way > 0 ? Joint::Left : Joint::Right;
+}
+
+RationalPoint exact(const BulgePoint& p) { return {Rational(p.x), Rational(p.y)}; }
+
+/// Polylines that doubles can follow: no arc above half a turn, nothing huge or of no length.
+bool suits_doubles(const std::vector<BulgePolyline>& loops) {
+  return std::ranges::all_of(loops, [](const BulgePolyline& loop) {
+    const BulgePoint* before = loop.empty() ? nullptr : &loop.back();
+    return loop.size() > 1 && std::ranges::all_of(loop, [&](const BulgePoint& p) {
+             const double way = std::max(std::fabs(p.x - before->x), std::fabs(p.y - before->y));
+             before = &p;
+             return std::fabs(p.x) < kLargest && std::fabs(p.y) < kLargest &&
+                    std::fabs(p.bulge) <= 1 && way > 1 / kLargest;
+           });
+  });
+}
+
+std::vector<BulgeVertex> exact(const BulgePolyline& loop) {
+  std::vector<BulgeVertex> vertices;
+  for (const BulgePoint& p : loop) vertices.push_back({exact(p), Rational(p.bulge)});
+  return vertices;
+}
+
+std::vector<Chain> chains_of(const std::vector<BulgePolyline>& loops) {
+  std::vector<Chain> chains;
+  for (const BulgePolyline& loop : loops) {
+    if (auto chain = chain_of(exact(loop), true)) chains.push_back(*std::move(chain));
+  }
+  return chains;
+}
+
+}  // namespace
+
+OffsetSource::OffsetSource(const std::vector<BulgePolyline>& loops, Rational distance,
+                           bool reversed)
+    : distance_(std::move(distance)), reversed_(reversed) {
+  if (!suits_doubles(loops)) {
+    *this = OffsetSource(chains_of(loops), distance_, reversed);
+    return;
+  }
+  first_.push_back(0);
+  for (const BulgePolyline& loop : loops) {
+    points_.insert(points_.end(), loop.begin(), loop.end());
+    first_.push_back(static_cast<std::uint32_t>(points_.size()));
+  }
+  set_distance();
+}
+
+OffsetSource::OffsetSource(const std::vector<Chain>& loops, Rational distance, bool reversed)
+    : distance_(std::move(distance)), reversed_(reversed) {
+  first_.push_back(0);
+  for (const Chain& loop : loops) {
+    DGT_CHECK(loop.closed && !loop.edges.empty());
+    chain_edges_.insert(chain_edges_.end(), loop.edges.begin(), loop.edges.end());
+    first_.push_back(static_cast<std::uint32_t>(chain_edges_.size()));
+  }
+  set_distance();
+}
+
+void OffsetSource::set_distance() {
+  const Rational decisive = distance_ + power_of_two(kContactExponent);
+  decisive_ = enclosed<double>(decisive);
+  decisive_fine_ = enclosed<DoubleDouble>(decisive);
+  fine_distance_ = enclosed<DoubleDouble>(distance_);
+}
+
+template <>
+const Enclosed<double>& OffsetSource::decisive_distance() const {
+  return decisive_;
+}
+template <>
+const Enclosed<DoubleDouble>& OffsetSource::decisive_distance() const {
+  return decisive_fine_;
+}
+
+std::size_t OffsetSource::loop_of(std::uint32_t edge) const {
+  const auto behind = std::upper_bound(first_.begin(), first_.end(), edge);
+  return static_cast<std::size_t>(behind - first_.begin()) - 1;
+}
+
+std::uint32_t OffsetSource::next(std::uint32_t edge) const {
+  const std::size_t loop = loop_of(edge);
+  return edge + 1 == first_[loop + 1] ? first_[loop] : edge + 1;
+}
+
+std::uint32_t OffsetSource::previous(std::uint32_t edge) const {
+  const std::size_t loop = loop_of(edge);
+  return (edge == first_[loop] ? first_[loop + 1] : edge) - 1;
+}
+
+std::uint32_t OffsetSource::original(std::uint32_t edge) const {
+  if (!reversed_) return edge;
+  const std::size_t loop = loop_of(edge);
+  return first_[loop] + first_[loop + 1] - 1 - edge;
+}
+
+template <class Real>
+EnclosedEdge<Real> OffsetSource::edge(std::uint32_t index) const {
+  const std::uint32_t i = original(index);
+  const EnclosedEdge<Real> e = points_.empty() ? enclosed<Real>(chain_edges_[i])
+                                               : edge_between<Real>(points_[i], points_[next(i)]);
+  return reversed_ ? reversed(e) : e;
+}
+template EnclosedEdge<double> OffsetSource::edge(std::uint32_t) const;
+template EnclosedEdge<DoubleDouble> OffsetSource::edge(std::uint32_t) const;
+
+ChainEdge OffsetSource::exact_edge(std::uint32_t index) const {
+  const std::uint32_t i = original(index);
+  ChainEdge e;
+  if (points_.empty()) {
+    e = chain_edges_[i];
+  } else {
+    const BulgePoint& p = points_[i];
+    const RationalPoint to = exact(points_[next(i)]);
+    e = is_straight(p) ? segment(exact(p), to) : arc(exact(p), to, Rational(p.bulge));
+  }
+  return reversed_ ? reversed(e) : e;
+}
+
+std::vector<Chain> OffsetSource::exact_loops() const {
+  std::vector<Chain> chains(loops());
+  for (std::size_t loop = 0; loop < loops(); ++loop) {
+    for (std::uint32_t i = first_[loop]; i < first_[loop + 1]; ++i)
+      chains[loop].edges.push_back(exact_edge(i));
+  }
+  return chains;
+}
+
+Joint OffsetSource::joint(std::uint32_t i, const EnclosedEdge<double>& e,
+                          const EnclosedEdge<double>& next) const {
+  if (const auto joint = joint_of(e, next)) return *joint;
+  const std::uint32_t k = this->next(i);
+  if (const auto joint = joint_of(edge<DoubleDouble>(i), edge<DoubleDouble>(k))) return *joint;
+  const Rational turn = cross(exact_edge(i).end.vector(), exact_edge(k).start.vector());
+  return sgn(turn) >= 0 ? Joint::Left : Joint::Right;
+}
+
+Joint OffsetSource::joint(std::uint32_t i) const {
+  return joint(i, edge<double>(i), edge<double>(next(i)));
+}
+
+Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDouble>& d) const {
+  const auto e = edge<DoubleDouble>(key.edge());
+  if (key.corner()) return corner(e, edge<DoubleDouble>(next(key.edge())), joint(key.edge()), d);
+  const std::uint32_t before = previous(key.edge());
+  const bool tangent = joint(before) == Joint::Tangent;
+  return moved(e, tangent ? edge<DoubleDouble>(before).end : e.start, d);
+}
+
+RawPiece OffsetSource::exact_piece(RawKey key, const Rational& distance) const {
+  const ChainEdge e = exact_edge(key.edge());
+  return key.corner() ? raw_corner(e, exact_edge(next(key.edge())), distance).value()
+                    : raw_edge(e, distance).value();
+}
+
+RationalPoint OffsetSource::exact_beginning(RawKey key) const {
+  const std::uint32_t before = previous(key.edge());
+  if (key.corner() || joint(before) != Joint::Tangent) return exact_piece(key, distance_).from;
+  const ChainEdge e = exact_edge(before);
+  return e.to + distance_ * e.end.vector();
+}
+
+}  // namespace dgt

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/offset.h"
+#include "kernel/offset_raw.h"
+#include "kernel/strand.h"
+
+/// What the production engine offsets, in whatever precision a decision asks for. Internal to the
+/// kernel.
+namespace dgt {
+
+/// ChainEdge in one precision, about the same exact edge.
+template <class Real>
+struct EnclosedEdge {
+  EnclosedVector<Real> from, to;
+  EnclosedVector<Real> start, end;  ///< left unit normals
+  Enclosed<Real> radius;
+  bool is_line = true;
+  bool counter_clockwise = true;
+};
+
+/// Sine of the angle between normals up to which a joint is tangent. Doubles that say a tangent
+/// joint are off by some 2⁻⁵⁰; corners that are meant are far above.
+inline constexpr double kTangent = 0x1p-40;
+
+template <class Real>
+[[nodiscard]] Enclosed<Real> magnitude(const Enclosed<Real>& a) {
+  return coarse(a.mid) < 0 ? -a : a;
+}
+
+
+/// How the normal goes on behind an edge.
+enum class Joint : std::uint8_t { Tangent, Left, Right };
+
+/// `normal` is that at the beginning, which a tangent joint shares with the edge before.
+template <class Real>
+[[nodiscard]] Strand<Real> moved(const EnclosedEdge<Real>& e, const EnclosedVector<Real>& normal,
+                   const Enclosed<Real>& distance) {
+  Strand<Real> s;
+  s.from = e.from + distance * normal;
+  s.to = e.to + distance * e.end;
+  s.is_line = e.is_line;
+  if (!s.is_line) {
+    s.centre = e.from + e.radius * e.start;
+    s.radius = magnitude(e.radius - distance);
+    // The normal turns the same way whatever the offset does to the radius.
+    s.counter_clockwise = e.counter_clockwise;
+  }
+  return s;
+}
+
+template <class Real>
+[[nodiscard]] Strand<Real> corner(const EnclosedEdge<Real>& e, const EnclosedEdge<Real>& next, Joint joint,
+                    const Enclosed<Real>& distance) {
+  Strand<Real> s;
+  s.is_line = false;
+  s.centre = e.to;
+  s.radius = distance;
+  s.from = e.to + distance * e.end;
+  s.to = e.to + distance * next.start;
+  s.counter_clockwise = joint == Joint::Left;
+  return s;
+}
+
+/// Directed loops in flat numbering: edge i of all. They stay as they came; doubles, double-doubles
+/// and rationals are made from them when asked for.
+class OffsetSource {
+ public:
+  /// Loops to shrink by `distance` > 0; `reversed`: as if they ran the other way.
+  OffsetSource(const std::vector<BulgePolyline>& loops, Rational distance, bool reversed);
+  OffsetSource(const std::vector<Chain>& loops, Rational distance, bool reversed);
+
+  [[nodiscard]] std::size_t loops() const { return first_.size() - 1; }
+  [[nodiscard]] std::uint32_t edges() const { return first_.back(); }
+  /// The first edge of a loop; `loop` may be one behind the last.
+  [[nodiscard]] std::uint32_t first(std::size_t loop) const { return first_[loop]; }
+  [[nodiscard]] std::size_t loop_of(std::uint32_t edge) const;
+  [[nodiscard]] std::uint32_t next(std::uint32_t edge) const;
+  [[nodiscard]] std::uint32_t previous(std::uint32_t edge) const;
+
+  template <class Real>
+  [[nodiscard]] EnclosedEdge<Real> edge(std::uint32_t index) const;
+  [[nodiscard]] ChainEdge exact_edge(std::uint32_t index) const;
+  /// The loops as rational chains, in the sense in which they are offset.
+  [[nodiscard]] std::vector<Chain> exact_loops() const;
+
+  /// What decisions are made for: 2^kContactExponent mm beyond the distance, so that what is in
+  /// contact parts.
+  template <class Real>
+  [[nodiscard]] const Enclosed<Real>& decisive_distance() const;
+  [[nodiscard]] const Rational& distance() const { return distance_; }
+  [[nodiscard]] const Enclosed<DoubleDouble>& fine_distance() const { return fine_distance_; }
+
+  /// The joint behind edge `i`, `e`; both it and the next one in doubles are known already. An edge
+  /// that doubles back on itself turns to the left.
+  [[nodiscard]] Joint joint(std::uint32_t i, const EnclosedEdge<double>& e,
+                            const EnclosedEdge<double>& next) const;
+  /// The strand of an edge, or of the corner behind it, moved by `distance`.
+  [[nodiscard]] Strand<DoubleDouble> strand(RawKey key,
+                                            const Enclosed<DoubleDouble>& distance) const;
+  [[nodiscard]] RawPiece exact_piece(RawKey key, const Rational& distance) const;
+  /// Where it begins.
+  [[nodiscard]] RationalPoint exact_beginning(RawKey key) const;
+
+ private:
+  void set_distance();
+  [[nodiscard]] Joint joint(std::uint32_t i) const;
+  /// Where the edge stands in the order in which it came.
+  [[nodiscard]] std::uint32_t original(std::uint32_t edge) const;
+
+  std::vector<BulgePoint> points_;  ///< one an edge, its beginning; or
+  std::vector<ChainEdge> chain_edges_;
+  std::vector<std::uint32_t> first_;
+  Rational distance_;
+  Enclosed<double> decisive_;
+  Enclosed<DoubleDouble> decisive_fine_;
+  Enclosed<DoubleDouble> fine_distance_;
+  bool reversed_ = false;
+};
+
+}  // namespace dgt

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loops of a result that bound nothing: slivers, and void loops (offset.h), which the winding number
+// alone cannot tell. A void loop lies nearer than the distance to some edge, at each of its points;
+// one point is held against the edges about it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "kernel/box_tree.h"
+#include "kernel/offset_raw.h"
+#include "kernel/offset_source.h"
+#include "kernel/offset_voids.h"
+
+namespace dgt {
+namespace {
+
+using Loop = std::span<const RegionPiece>;
+
+constexpr Box kNowhere{std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<double>::infinity(),
+                       -std::numeric_limits<double>::infinity(),
+                       -std::numeric_limits<double>::infinity()};
+
+bool is_sliver(Loop loop) {
+  Box box = kNowhere;
+  for (const RegionPiece& p : loop) box = box.united({p.x, p.y, p.x, p.y});
+  return box.max_x - box.min_x <= kOffsetResolution && box.max_y - box.min_y <= kOffsetResolution;
+}
+
+struct Place {
+  double x, y;
+};
+
+/// The middle of a piece that ends in `to`.
+Place middle(const RegionPiece& p, Place to) {
+  const Place half{(p.x + to.x) / 2, (p.y + to.y) / 2};
+  if (p.radius == 0) return half;
+  // The arc lies to the right of its chord when it turns to the left.
+  const double wx = to.x - p.x;
+  const double wy = to.y - p.y;
+  const double chord = std::hypot(wx, wy);
+  return {p.centre_x + wy / chord * p.radius, p.centre_y - wx / chord * p.radius};
+}
+
+/// The distance of a place from an edge, of at most half a turn.
+double distance_from(const EnclosedEdge<double>& e, Place p) {
+  const double wx = e.to.x - e.from.x;
+  const double wy = e.to.y - e.from.y;
+  const double ends = std::min(std::hypot(p.x - e.from.x, p.y - e.from.y),
+                               std::hypot(p.x - e.to.x, p.y - e.to.y));
+  if (e.is_line) {
+    const double t = (p.x - e.from.x) * wx + (p.y - e.from.y) * wy;
+    const double square = wx * wx + wy * wy;
+    if (t <= 0 || t >= square) return ends;
+    return std::fabs(wx * (p.y - e.from.y) - wy * (p.x - e.from.x)) / std::sqrt(square);
+  }
+  const double cx = e.from.x + e.radius.mid * e.start.x;
+  const double cy = e.from.y + e.radius.mid * e.start.y;
+  // Where the ray from the centre through p meets the circle, seen from the chord.
+  const double off = std::hypot(p.x - cx, p.y - cy);
+  if (off == 0) return std::fabs(e.radius.mid);
+  const double k = std::fabs(e.radius.mid) / off;
+  const double side =
+      wx * (cy + k * (p.y - cy) - e.from.y) - wy * (cx + k * (p.x - cx) - e.from.x);
+  const bool on = e.counter_clockwise ? side < 0 : side > 0;
+  return on ? std::fabs(off - std::fabs(e.radius.mid)) : ends;
+}
+
+Box box_of(const EnclosedEdge<double>& e) {
+  const Box ends{std::min(e.from.x, e.to.x), std::min(e.from.y, e.to.y),
+                 std::max(e.from.x, e.to.x), std::max(e.from.y, e.to.y)};
+  if (e.is_line) return ends;
+  // An arc of at most half a turn leaves its chord by no more than half of it.
+  return ends.grown(0.5 * std::hypot(e.to.x - e.from.x, e.to.y - e.from.y));
+}
+
+class Edges {
+ public:
+  explicit Edges(const OffsetSource& source) : source_(source), tree_(boxes(source)) {}
+
+  /// Whether some edge, save those that `on` keeps its distance from, surely lies nearer than
+  /// `reach`; nothing when one lies about there.
+  [[nodiscard]] std::optional<bool> near(Place p, RawKey on, double reach) const {
+    const std::uint32_t next = on.corner() ? source_.next(on.edge()) : on.edge();
+    bool nearer = false;
+    bool about = false;
+    tree_.overlapping(Box{p.x, p.y, p.x, p.y}.grown(reach), [&](std::size_t i) {
+      if (i == on.edge() || i == next) return;
+      const double off =
+          distance_from(source_.edge<double>(static_cast<std::uint32_t>(i)), p) - reach;
+      if (off < -kOffsetResolution)
+        nearer = true;
+      else if (off < kOffsetResolution)
+        about = true;
+    });
+    if (nearer) return true;
+    if (about) return std::nullopt;
+    return false;
+  }
+
+ private:
+  static std::vector<Box> boxes(const OffsetSource& source) {
+    std::vector<Box> boxes;
+    boxes.reserve(source.edges());
+    for (std::uint32_t i = 0; i < source.edges(); ++i)
+      boxes.push_back(box_of(source.edge<double>(i)));
+    return boxes;
+  }
+
+  const OffsetSource& source_;
+  BoxTree tree_;
+};
+
+/// Whether a whole component of the region may fit into the disc: only then does a number lie.
+bool may_have_voids(const OffsetSource& source) {
+  const double width = 2 * source.decisive_distance<double>().mid + kOffsetResolution;
+  for (std::size_t loop = 0; loop < source.loops(); ++loop) {
+    Box box = kNowhere;
+    for (std::uint32_t i = source.first(loop); i < source.first(loop + 1); ++i) {
+      const EnclosedEdge<double> e = source.edge<double>(i);
+      box = box.united({e.from.x, e.from.y, e.from.x, e.from.y});
+      if (std::max(box.max_x - box.min_x, box.max_y - box.min_y) > width) break;
+    }
+    if (std::max(box.max_x - box.min_x, box.max_y - box.min_y) <= width) return true;
+  }
+  return false;
+}
+
+bool is_void(Loop loop, const Edges& edges, const OffsetSource& source) {
+  std::size_t longest = 0;
+  double length = -1;
+  const auto end = [&](std::size_t i) {
+    const RegionPiece& next = loop[(i + 1) % loop.size()];
+    return Place{next.x, next.y};
+  };
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Place to = end(i);
+    const double chord = std::hypot(to.x - loop[i].x, to.y - loop[i].y);
+    if (chord <= length) continue;
+    length = chord;
+    longest = i;
+  }
+  const RegionPiece& piece = loop[longest];
+  const Place p = middle(piece, end(longest));
+  const auto near = edges.near(p, piece.on, source.decisive_distance<double>().mid);
+  if (near) return *near;
+  return !keeps_distance(source.exact_loops(), {Rational(p.x), Rational(p.y)},
+                         source.distance() - Rational(kOffsetResolution));
+}
+
+}  // namespace
+
+std::vector<bool> bounding_nothing(const OffsetRegion& region, const OffsetSource& source) {
+  std::vector<bool> nothing(region.loops());
+  std::optional<Edges> edges;
+  if (may_have_voids(source)) edges.emplace(source);
+  for (std::size_t i = 0; i < region.loops(); ++i)
+    nothing[i] = is_sliver(region.loop(i)) || (edges && is_void(region.loop(i), *edges, source));
+  return nothing;
+}
+
+}  // namespace dgt
