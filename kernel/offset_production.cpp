@@ -36,8 +36,9 @@ struct Kept {
   bool is_line, counter_clockwise;
 };
 
+/// A float is nearest within 2⁻²⁴; below the normal ones, by less than the smallest of them.
 float rounded_up(double value) {
-  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max());
+  return static_cast<float>(value * (1 + 0x1p-22)) + std::numeric_limits<float>::min();
 }
 
 Kept keep(const Strand<double>& s, RawKey key) {
@@ -166,12 +167,12 @@ class OffsetEngine {
   // --- crossings --------------------------------------------------------------------------------
 
   bool find_crossings() {
-    std::vector<Box> boxes;
-    boxes.reserve(strands_.size());
-    for (const Kept& k : strands_) boxes.push_back(box_of(k));
-    for (const Box& box : boxes) right_ = std::max(right_, box.max_x);
-    tree_.emplace(std::move(boxes));
-    // The loop of the last strand a pair began with: pairs come in order of the first.
+    tree_.emplace(strands_.size(), [&](std::size_t i) {
+      const Box box = box_of(strands_[i]);
+      right_ = std::max(right_, box.max_x);
+      return box;
+    });
+    passings_.reserve(strands_.size());
     bool decided = true;
     tree_->pairs([&](std::size_t i, std::size_t j) {
       const auto a = static_cast<std::uint32_t>(i);
@@ -456,7 +457,7 @@ class OffsetEngine {
       double low = std::numeric_limits<double>::infinity();
       double high = -low;
       for (std::uint32_t i = source_->first(loop); i < source_->first(loop + 1); ++i) {
-        const double x = source_->edge<double>(i).from.x;
+        const double x = source_->beginning(i).x;
         low = std::min(low, x);
         high = std::max(high, x);
       }
@@ -465,17 +466,7 @@ class OffsetEngine {
         widest = loop;
       }
     }
-    double twice_area = 0;
-    for (std::uint32_t i = source_->first(widest); i < source_->first(widest + 1); ++i) {
-      const EnclosedEdge<double> e = source_->edge<double>(i);
-      twice_area += e.from.x * e.to.y - e.to.x * e.from.y;
-      if (e.is_line) continue;
-      const double r = std::fabs(e.radius.mid);
-      const double chord = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y);
-      const double sweep = 2 * std::asin(std::min(1.0, chord / (2 * r)));
-      twice_area += (e.counter_clockwise ? 1 : -1) * r * r * (sweep - std::sin(sweep));
-    }
-    return twice_area < 0 ? 0 : 1;
+    return source_->area(widest) < 0 ? 0 : 1;
   }
 
   // --- the result -------------------------------------------------------------------------------
@@ -549,16 +540,6 @@ class OffsetEngine {
 
 namespace {
 
-/// Whether doubles can follow the loops at all: chains may hold anything.
-bool suits_doubles(const OffsetSource& source) {
-  if (!(source.decisive_distance<double>().size() < kLargest)) return false;
-  for (std::uint32_t i = 0; i < source.edges(); ++i) {
-    const EnclosedEdge<double> e = source.edge<double>(i);
-    if (!(e.from.size() < kLargest && e.radius.size() < kLargest)) return false;
-  }
-  return true;
-}
-
 OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source,
                           OffsetCounts& counts) {
   counts.exact = counts.decisions;
@@ -572,7 +553,7 @@ OffsetRegion region_of(const Loops& loops, const Rational& distance, OffsetCount
   const bool grows = sgn(distance) < 0;  // growing the region is shrinking what lies beyond it
   const auto source = std::make_shared<const OffsetSource>(loops, abs(distance), grows);
   std::optional<OffsetRegion> found;
-  if (sgn(distance) != 0 && suits_doubles(*source)) found = OffsetEngine(source, counts).run();
+  if (sgn(distance) != 0 && source->suits_doubles()) found = OffsetEngine(source, counts).run();
   OffsetRegion region = found ? *std::move(found) : by_reference(source, counts);
   if (grows) region.reverse();
   return region;

@@ -95,7 +95,13 @@ EnclosedEdge<Real> edge_between(const BulgePoint& p, const BulgePoint& q) {
 template <class Real>
 std::optional<Joint> joint_of(const EnclosedEdge<Real>& e, const EnclosedEdge<Real>& next) {
   const Enclosed<Real> turn = cross(e.end, next.start);
-  if (turn.size() + turn.rad <= kTangent && dot(e.end, next.start).sign() > 0)
+  const double most = turn.size() + turn.rad;
+  // What the shorter chord would move by, were it turned so.
+  const auto shift = [&] {
+    return most * std::min((e.to - e.from).size(), (next.to - next.from).size());
+  };
+  if ((most <= kTangent || shift() <= kVertexRounding * e.to.size()) &&
+      dot(e.end, next.start).sign() > 0)
     return Joint::Tangent;
   const int way = turn.sign();
   if (way == 0) return std::nullopt;
@@ -105,7 +111,7 @@ std::optional<Joint> joint_of(const EnclosedEdge<Real>& e, const EnclosedEdge<Re
 RationalPoint exact(const BulgePoint& p) { return {Rational(p.x), Rational(p.y)}; }
 
 /// Polylines that doubles can follow: no arc above half a turn, nothing huge or of no length.
-bool suits_doubles(const std::vector<BulgePolyline>& loops) {
+bool suit_doubles(const std::vector<BulgePolyline>& loops) {
   return std::ranges::all_of(loops, [](const BulgePolyline& loop) {
     const BulgePoint* before = loop.empty() ? nullptr : &loop.back();
     return loop.size() > 1 && std::ranges::all_of(loop, [&](const BulgePoint& p) {
@@ -136,7 +142,7 @@ std::vector<Chain> chains_of(const std::vector<BulgePolyline>& loops) {
 OffsetSource::OffsetSource(const std::vector<BulgePolyline>& loops, Rational distance,
                            bool reversed)
     : distance_(std::move(distance)), reversed_(reversed) {
-  if (!suits_doubles(loops)) {
+  if (!suit_doubles(loops)) {
     *this = OffsetSource(chains_of(loops), distance_, reversed);
     return;
   }
@@ -194,6 +200,48 @@ std::uint32_t OffsetSource::original(std::uint32_t edge) const {
   if (!reversed_) return edge;
   const std::size_t loop = loop_of(edge);
   return first_[loop] + first_[loop + 1] - 1 - edge;
+}
+
+bool OffsetSource::suits_doubles() const {
+  const auto fits = [](const Rational& v) { return std::fabs(v.get_d()) < kLargest; };
+  return fits(distance_) && std::ranges::all_of(chain_edges_, [&](const ChainEdge& e) {
+           return fits(e.from.x) && fits(e.from.y) && fits(e.radius);
+         });
+}
+
+BulgePoint OffsetSource::beginning(std::uint32_t index) const {
+  const std::uint32_t i = original(index);
+  if (points_.empty()) {
+    const RationalPoint& p = reversed_ ? chain_edges_[i].to : chain_edges_[i].from;
+    return {p.x.get_d(), p.y.get_d(), 0};
+  }
+  return points_[reversed_ ? next(i) : i];
+}
+
+double OffsetSource::area(std::size_t loop) const {
+  const std::uint32_t first = first_[loop];
+  const std::uint32_t end = first_[loop + 1];
+  const BulgePoint origin = beginning(first);
+  // Segments of arcs take no more than π/8 of the square of their chord.
+  double twice_area = 0;
+  double most_of_arcs = 0;
+  BulgePoint p = origin;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const BulgePoint q = i + 1 == end ? origin : beginning(i + 1);
+    twice_area += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
+    most_of_arcs += (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    p = q;
+  }
+  if (std::fabs(twice_area) > most_of_arcs) return twice_area / 2;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const EnclosedEdge<double> e = edge<double>(i);
+    if (e.is_line) continue;
+    const double r = std::fabs(e.radius.mid);
+    const double chord = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y);
+    const double sweep = 2 * std::asin(std::min(1.0, chord / (2 * r)));
+    twice_area += (e.counter_clockwise ? 1 : -1) * r * r * (sweep - std::sin(sweep));
+  }
+  return twice_area / 2;
 }
 
 template <class Real>

@@ -26,6 +26,9 @@ struct EnclosedEdge {
 /// Sine of the angle between normals up to which a joint is tangent. Doubles that say a tangent
 /// joint are off by some 2⁻⁵⁰; corners that are meant are far above.
 inline constexpr double kTangent = 0x1p-40;
+/// Or up to which it turns an edge by no more than its vertices' own rounding to doubles may have
+/// done: units of the vertex.
+inline constexpr double kVertexRounding = 0x1p-50;
 
 template <class Real>
 [[nodiscard]] Enclosed<Real> magnitude(const Enclosed<Real>& a) {
@@ -81,6 +84,14 @@ class OffsetSource {
   [[nodiscard]] std::size_t loop_of(std::uint32_t edge) const;
   [[nodiscard]] std::uint32_t next(std::uint32_t edge) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t edge) const;
+
+  /// Whether doubles can follow the loops: chains may hold anything.
+  [[nodiscard]] bool suits_doubles() const;
+  /// About where an edge begins, in doubles.
+  [[nodiscard]] BulgePoint beginning(std::uint32_t index) const;
+  /// About the area of a loop, mm², counter-clockwise positive; the sign is right wherever there is
+  /// an area to speak of.
+  [[nodiscard]] double area(std::size_t loop) const;
 
   template <class Real>
   [[nodiscard]] EnclosedEdge<Real> edge(std::uint32_t index) const;
