@@ -20,6 +20,7 @@ void report(benchmark::State& state, std::size_t elements, const OffsetCounts& c
   const auto decisions = static_cast<double>(counts.decisions);
   state.counters["pairs/element"] = static_cast<double>(counts.pairs) / n;
   state.counters["decisions/element"] = decisions / n;
+  state.counters["crossings/element"] = static_cast<double>(counts.crossings) / n;
   state.counters["fine"] = static_cast<double>(counts.fine) / decisions;
   state.counters["exact"] = static_cast<double>(counts.exact) / decisions;
 }

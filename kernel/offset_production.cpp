@@ -32,6 +32,7 @@ namespace {
 struct Kept {
   double from_x, from_y, to_x, to_y, centre_x, centre_y, radius;
   float ends_rad, centre_rad, radius_rad;
+  float rise;  ///< no less than how far an arc rises above its chord
   RawKey key;
   bool is_line, counter_clockwise;
 };
@@ -39,6 +40,19 @@ struct Kept {
 /// A float is nearest within 2⁻²⁴; below the normal ones, by less than the smallest of them.
 float rounded_up(double value) {
   return static_cast<float>(value * (1 + 0x1p-22)) + std::numeric_limits<float>::min();
+}
+
+/// With c the chord, an arc of at most half a turn rises by c²/4 / (r + √(r² − c²/4)) ≤ c²/4r, and
+/// by no more than r.
+double rise_of(const Strand<double>& s) {
+  if (s.is_line) return 0;
+  const double wx = s.to.x - s.from.x;
+  const double wy = s.to.y - s.from.y;
+  const double most = s.radius.mid + s.radius.rad;
+  const double least = s.radius.mid - s.radius.rad;
+  const double reach = std::fabs(wx) + std::fabs(wy) + 2 * (s.from.rad + s.to.rad);
+  if (4 * least * most <= reach * reach) return most;
+  return reach * reach / (4 * least);
 }
 
 Kept keep(const Strand<double>& s, RawKey key) {
@@ -52,6 +66,7 @@ Kept keep(const Strand<double>& s, RawKey key) {
           rounded_up(std::max(s.from.rad, s.to.rad)),
           rounded_up(s.centre.rad),
           rounded_up(s.radius.rad),
+          rounded_up(rise_of(s)),
           key,
           s.is_line,
           s.counter_clockwise};
@@ -64,6 +79,39 @@ Strand<double> strand_of(const Kept& k) {
           {k.radius, k.radius_rad},
           k.is_line,
           k.counter_clockwise};
+}
+
+/// Whether two strands surely do not meet, since one lies to one side of the other's chord and
+/// beyond its rise. Cross products of vectors no longer than S, whose coordinates are off by e, are
+/// off by less than 4 S e and the roundings of two products and three sums of size S², 2⁻⁵⁰ S².
+bool surely_apart(const Kept& a, const Kept& b) {
+  const double ux = a.to_x - a.from_x;
+  const double uy = a.to_y - a.from_y;
+  const double vx = b.to_x - b.from_x;
+  const double vy = b.to_y - b.from_y;
+  const double wx = b.from_x - a.from_x;
+  const double wy = b.from_y - a.from_y;
+  const double u = std::fabs(ux) + std::fabs(uy);
+  const double v = std::fabs(vx) + std::fabs(vy);
+  const double size = u + v + std::fabs(wx) + std::fabs(wy);
+  const double off = static_cast<double>(a.ends_rad) + b.ends_rad;
+  const double error = size * (4.5 * off + 0x1p-49 * size);
+  const double turn = ux * vy - uy * vx;
+  const double rises = static_cast<double>(a.rise) + b.rise;
+
+  const double b_from = ux * wy - uy * wx;
+  const double b_to = b_from + turn;
+  const double beside_a = u * rises + error;
+  if (std::min(b_from, b_to) > beside_a || std::max(b_from, b_to) < -beside_a) return true;
+  const double a_from = vy * wx - vx * wy;
+  const double a_to = a_from - turn;
+  const double beside_b = v * rises + error;
+  return std::min(a_from, a_to) > beside_b || std::max(a_from, a_to) < -beside_b;
+}
+
+/// The hot spot of the engine, worth a body of its own.
+[[gnu::flatten]] Crossings<double> cross_in_doubles(const Kept& a, const Kept& b) {
+  return cross(strand_of(a), strand_of(b));
 }
 
 /// Two strands that cross. Each crossing is two events, one on each strand: number 2i + side.
@@ -104,19 +152,20 @@ class OffsetEngine {
       first_strand_.push_back(size());
       const std::uint32_t first = source.first(loop);
       const std::uint32_t end = source.first(loop + 1);
-      const EnclosedEdge<double> first_edge = source.edge<double>(first);
-      EnclosedEdge<double> before = source.edge<double>(end - 1);
-      EnclosedEdge<double> e = first_edge;
-      Joint joint = source.joint(end - 1, before, e);
+      std::array<EnclosedEdge<double>, 2> edges = {source.edge<double>(end - 1),
+                                                   source.edge<double>(first)};
+      const EnclosedEdge<double> first_edge = edges[1];
+      Joint joint = source.joint(end - 1, edges[0], edges[1]);
+      EnclosedVector<double> normal = joint == Joint::Tangent ? edges[0].end : edges[1].start;
       for (std::uint32_t i = first; i < end; ++i) {
-        strands_.push_back(
-            keep(moved(e, joint == Joint::Tangent ? before.end : e.start, d), RawKey(i, false)));
-        const EnclosedEdge<double> next =
-            i + 1 == end ? first_edge : source.edge<double>(i + 1);
+        const EnclosedEdge<double>& e = edges[(i - first + 1) % 2];
+        EnclosedEdge<double>& next = edges[(i - first) % 2];
+        strands_.push_back(keep(moved(e, normal, d), RawKey(i, false)));
+        next = i + 1 == end ? first_edge : source.edge<double>(i + 1);
         joint = source.joint(i, e, next);
-        if (joint != Joint::Tangent) strands_.push_back(keep(corner(e, next, joint, d), RawKey(i, true)));
-        before = e;
-        e = next;
+        if (joint != Joint::Tangent)
+          strands_.push_back(keep(corner(e, next, joint, d), RawKey(i, true)));
+        normal = joint == Joint::Tangent ? e.end : next.start;
       }
     }
     first_strand_.push_back(size());
@@ -193,35 +242,29 @@ class OffsetEngine {
 
   bool cross_strands(std::uint32_t a, std::uint32_t b) {
     ++counts_.decisions;
-    const Strand<double> sa = strand_of(strands_[a]);
-    const Strand<double> sb = strand_of(strands_[b]);
-    const Crossings<double> crossings = cross(sa, sb);
+    if (surely_apart(strands_[a], strands_[b])) return true;
+    const Crossings<double> crossings = cross_in_doubles(strands_[a], strands_[b]);
     if (crossings.decided) {
-      add_passings(a, b, sa, sb, crossings);
+      add_passings(a, b, crossings);
       return true;
     }
     ++counts_.fine;
-    const Strand<DoubleDouble> fa = fine(a);
-    const Strand<DoubleDouble> fb = fine(b);
-    const Crossings<DoubleDouble> finer = cross(fa, fb);
-    if (finer.decided) add_passings(a, b, fa, fb, finer);
+    const Crossings<DoubleDouble> finer = cross(fine(a), fine(b));
+    if (finer.decided) add_passings(a, b, finer);
     return finer.decided;
   }
 
   template <class Real>
-  void add_passings(std::uint32_t a, std::uint32_t b, const Strand<Real>& sa,
-                    const Strand<Real>& sb, const Crossings<Real>& crossings) {
+  void add_passings(std::uint32_t a, std::uint32_t b, const Crossings<Real>& crossings) {
+    const auto radius = [](const Enclosed<Real>& e) {
+      return rounded_up(e.rad + 0x1p-52 * e.size());
+    };
     for (int i = 0; i < crossings.count; ++i) {
       const Crossing<Real>& c = crossings.found[static_cast<std::size_t>(i)];
-      const Enclosed<Real> on_a = along(sa, c.at);
-      const Enclosed<Real> on_b = along(sb, c.at);
-      const auto radius = [](const Enclosed<Real>& e) {
-        return rounded_up(e.rad + 0x1p-52 * e.size());
-      };
       passings_.push_back({coarse(c.at.x),
                            coarse(c.at.y),
-                           {coarse(on_a.mid), coarse(on_b.mid)},
-                           {radius(on_a), radius(on_b)},
+                           {coarse(c.position[0].mid), coarse(c.position[1].mid)},
+                           {radius(c.position[0]), radius(c.position[1])},
                            {a, b},
                            static_cast<std::int8_t>(c.turn),
                            i == 1});
@@ -258,7 +301,10 @@ class OffsetEngine {
   }
 
   bool sort_along(std::span<Event> events) {
-    std::ranges::sort(events, {}, [&](Event e) { return position(e); });
+    if (events.size() > 2)
+      std::ranges::sort(events, {}, [&](Event e) { return position(e); });
+    else if (position(events[0]) > position(events[1]))
+      std::swap(events[0], events[1]);
     counts_.decisions += events.size() - 1;
     std::size_t open = 0;
     for (std::size_t k = 1; k < events.size(); ++k) {
@@ -275,14 +321,13 @@ class OffsetEngine {
       Enclosed<DoubleDouble> at;
     };
     std::vector<Placed> placed;
-    const Strand<DoubleDouble> here = fine(strand(events.front()));
     for (const Event e : events) {
       const Passing& m = passing(e);
       const Crossings<DoubleDouble> c = cross(fine(m.strand[0]), fine(m.strand[1]));
       // Of two roots, doubles may have found one alone inside both; then so do double-doubles.
       const std::size_t root = m.last ? 1 : 0;
       if (!c.decided || c.count <= static_cast<int>(root)) return false;
-      placed.push_back({e, along(here, c.found[root].at)});
+      placed.push_back({e, c.found[root].position[e % 2]});
     }
     std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
       return (a.at - b.at).mid.hi < 0;
@@ -445,7 +490,7 @@ class OffsetEngine {
     if (on < 0) return {};
     if (on == 0 || back.sign() == 0) return crossing::undecided<Real>();
     Crossings<Real> result;
-    result.add(at, arc.counter_clockwise ? 1 : -1);
+    result.add({at, {}, arc.counter_clockwise ? 1 : -1});
     return result;
   }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "kernel/enclosed.h"
 
@@ -19,9 +20,12 @@ struct Strand {
   bool counter_clockwise = true;
 };
 
+/// A place where two strands cross. Positions are numbers that rise along a strand: the projection
+/// on its chord, times the chord. On arcs of at most half a turn it is monotone.
 template <class Real>
 struct Crossing {
   EnclosedVector<Real> at;
+  std::array<Enclosed<Real>, 2> position;  ///< on the first strand, on the second
   /// +1 where the second strand passes from the right of the first to its left.
   int turn = 0;
 };
@@ -33,17 +37,8 @@ struct Crossings {
   int count = 0;
   std::array<Crossing<Real>, 2> found;
 
-  void add(const EnclosedVector<Real>& at, int turn) {
-    found[static_cast<std::size_t>(count++)] = {at, turn};
-  }
+  void add(const Crossing<Real>& crossing) { found[static_cast<std::size_t>(count++)] = crossing; }
 };
-
-/// A number that rises along the strand: the projection on its chord. On arcs of at most half a turn
-/// it is monotone.
-template <class Real>
-[[nodiscard]] Enclosed<Real> along(const Strand<Real>& s, const EnclosedVector<Real>& at) {
-  return dot(s.to - s.from, at - s.from);
-}
 
 namespace crossing {
 
@@ -54,31 +49,51 @@ Crossings<Real> undecided() {
   return result;
 }
 
-/// +1 when a place on the arc's circle surely lies on the arc, −1 when surely not: the chord parts
-/// the circle, and the arc is what lies to the right of it when it turns to the left.
+/// A place on an arc's circle, against its chord: that parts the circle, and the arc is what lies to
+/// the right of it when it turns to the left.
+template <class Real>
+class OnCircle {
+ public:
+  OnCircle(const Strand<Real>& arc, const EnclosedVector<Real>& at)
+      : chord_(arc.to - arc.from), out_(at - arc.from) {
+    const int side = cross(chord_, out_).sign();
+    on_arc_ = arc.counter_clockwise ? -side : side;
+  }
+  /// +1 when it surely lies on the arc, −1 when surely not.
+  [[nodiscard]] int on_arc() const { return on_arc_; }
+  [[nodiscard]] Enclosed<Real> position() const { return dot(chord_, out_); }
+
+ private:
+  EnclosedVector<Real> chord_, out_;
+  int on_arc_;
+};
 template <class Real>
 int on_arc(const Strand<Real>& arc, const EnclosedVector<Real>& at) {
-  const int side = cross(arc.to - arc.from, at - arc.from).sign();
-  return arc.counter_clockwise ? -side : side;
+  return OnCircle<Real>(arc, at).on_arc();
 }
 
 template <class Real>
 Crossings<Real> of_lines(const Strand<Real>& a, const Strand<Real>& b) {
   const EnclosedVector<Real> u = a.to - a.from;
-  const int b0 = cross(u, b.from - a.from).sign();
-  const int b1 = cross(u, b.to - a.from).sign();
+  const EnclosedVector<Real> w = b.from - a.from;
+  const Enclosed<Real> b_from = cross(u, w);
+  const Enclosed<Real> b_to = cross(u, b.to - a.from);
+  const int b0 = b_from.sign();
+  const int b1 = b_to.sign();
   if (b0 * b1 > 0) return {};
   const EnclosedVector<Real> v = b.to - b.from;
-  const Enclosed<Real> from_side = cross(v, a.from - b.from);
-  const Enclosed<Real> to_side = cross(v, a.to - b.from);
-  const int a0 = from_side.sign();
-  const int a1 = to_side.sign();
+  const Enclosed<Real> a_from = cross(w, v);
+  const Enclosed<Real> a_to = cross(v, a.to - b.from);
+  const int a0 = a_from.sign();
+  const int a1 = a_to.sign();
   if (a0 * a1 > 0) return {};
   if (a0 * a1 * b0 * b1 == 0) return undecided<Real>();
-  const Enclosed<Real> fall = from_side - to_side;
-  if (fall.sign() == 0) return undecided<Real>();
+  const Enclosed<Real> fall = a_from - a_to;
+  const Enclosed<Real> rise = b_from - b_to;
+  if (fall.sign() == 0 || rise.sign() == 0) return undecided<Real>();
+  const Enclosed<Real> t = a_from / fall;
   Crossings<Real> result;
-  result.add(a.from + (from_side / fall) * u, b1);
+  result.add({a.from + t * u, {t * dot(u, u), b_from / rise * dot(v, v)}, b1});
   return result;
 }
 
@@ -115,11 +130,11 @@ Crossings<Real> of_line_and_arc(const Strand<Real>& line, const Strand<Real>& ar
     const int on_line = within(t);
     if (on_line < 0) continue;
     const EnclosedVector<Real> at = line.from + (t / square) * u;
-    const int on = on_arc(arc, at);
-    if (on < 0) continue;
-    if (on == 0 || on_line == 0) return undecided<Real>();
+    const OnCircle<Real> place(arc, at);
+    if (place.on_arc() < 0) continue;
+    if (place.on_arc() == 0 || on_line == 0) return undecided<Real>();
     // Where the line leaves the circle, a counter-clockwise arc passes from its right to its left.
-    result.add(at, arc.counter_clockwise ? way : -way);
+    result.add({at, {t, place.position()}, arc.counter_clockwise ? way : -way});
   }
   return result;
 }
@@ -160,12 +175,12 @@ Crossings<Real> of_arcs(const Strand<Real>& a, const Strand<Real>& b) {
       const int senses = a.counter_clockwise == b.counter_clockwise ? 1 : -1;
       for (const int way : {-1, 1}) {
         const EnclosedVector<Real> at = a.centre + (way < 0 ? foot - off : foot + off);
-        const int on_a = on_arc(a, at);
-        if (on_a < 0) continue;
-        const int on_b = on_arc(b, at);
-        if (on_b < 0) continue;
-        if (on_a == 0 || on_b == 0) return undecided<Real>();
-        result.add(at, way * senses);
+        const OnCircle<Real> on_a(a, at);
+        if (on_a.on_arc() < 0) continue;
+        const OnCircle<Real> on_b(b, at);
+        if (on_b.on_arc() < 0) continue;
+        if (on_a.on_arc() == 0 || on_b.on_arc() == 0) return undecided<Real>();
+        result.add({at, {on_a.position(), on_b.position()}, way * senses});
       }
       return result;
     }
@@ -192,7 +207,10 @@ template <class Real>
   }
   if (!b.is_line) return crossing::of_arcs(a, b);
   Crossings<Real> result = crossing::of_line_and_arc(b, a);
-  for (Crossing<Real>& c : result.found) c.turn = -c.turn;
+  for (Crossing<Real>& c : result.found) {
+    c.turn = -c.turn;
+    std::swap(c.position[0], c.position[1]);
+  }
   return result;
 }
 
