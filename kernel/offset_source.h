@@ -23,12 +23,30 @@ struct EnclosedEdge {
   bool counter_clockwise = true;
 };
 
+/// The same in plain doubles, up to where the next edge begins: no more than the hot path reads.
+/// (x, y) is off by less than 2⁻⁵² (|x| + |y|).
+struct EdgeInDoubles {
+  double x = 0;
+  double y = 0;
+  double start_x = 0;
+  double start_y = 0;
+  double end_x = 0;
+  double end_y = 0;
+  double normal_rad = 0;
+  double radius = 0;
+  double radius_rad = 0;
+  bool is_line = true;
+  bool counter_clockwise = true;
+};
+
 /// Sine of the angle between normals up to which a joint is tangent. Doubles that say a tangent
 /// joint are off by some 2⁻⁵⁰; corners that are meant are far above.
 inline constexpr double kTangent = 0x1p-40;
 /// Or up to which it turns an edge by no more than its vertices' own rounding to doubles may have
 /// done: units of the vertex.
 inline constexpr double kVertexRounding = 0x1p-50;
+/// No more than this, though.
+inline constexpr double kLargestRounding = 0x1p-30;
 
 template <class Real>
 [[nodiscard]] Enclosed<Real> magnitude(const Enclosed<Real>& a) {
@@ -87,14 +105,12 @@ class OffsetSource {
 
   /// Whether doubles can follow the loops: chains may hold anything.
   [[nodiscard]] bool suits_doubles() const;
-  /// About where an edge begins, in doubles.
-  [[nodiscard]] BulgePoint beginning(std::uint32_t index) const;
   /// About the area of a loop, mm², counter-clockwise positive; the sign is right wherever there is
   /// an area to speak of.
   [[nodiscard]] double area(std::size_t loop) const;
 
-  template <class Real>
-  [[nodiscard]] EnclosedEdge<Real> edge(std::uint32_t index) const;
+  [[nodiscard]] EdgeInDoubles in_doubles(std::uint32_t index) const;
+  [[nodiscard]] EnclosedEdge<DoubleDouble> edge(std::uint32_t index) const;
   [[nodiscard]] ChainEdge exact_edge(std::uint32_t index) const;
   /// The loops as rational chains, in the sense in which they are offset.
   [[nodiscard]] std::vector<Chain> exact_loops() const;
@@ -108,8 +124,8 @@ class OffsetSource {
 
   /// The joint behind edge `i`, `e`; both it and the next one in doubles are known already. An edge
   /// that doubles back on itself turns to the left.
-  [[nodiscard]] Joint joint(std::uint32_t i, const EnclosedEdge<double>& e,
-                            const EnclosedEdge<double>& next) const;
+  [[nodiscard]] Joint joint(std::uint32_t i, const EdgeInDoubles& e,
+                            const EdgeInDoubles& next) const;
   /// The strand of an edge, or of the corner behind it, moved by `distance`.
   [[nodiscard]] Strand<DoubleDouble> strand(RawKey key,
                                             const Enclosed<DoubleDouble>& distance) const;
@@ -120,6 +136,8 @@ class OffsetSource {
  private:
   void set_distance();
   [[nodiscard]] Joint joint(std::uint32_t i) const;
+  /// Whether the edges about the end of edge `i` may turn so far by the rounding of their vertices.
+  [[nodiscard]] bool turns_by_rounding(std::uint32_t i, double turn) const;
   /// Where the edge stands in the order in which it came.
   [[nodiscard]] std::uint32_t original(std::uint32_t edge) const;
 

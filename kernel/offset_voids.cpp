@@ -43,41 +43,43 @@ Place middle(const RegionPiece& p, Place to) {
   return {p.centre_x + wy / chord * p.radius, p.centre_y - wx / chord * p.radius};
 }
 
-/// The distance of a place from an edge, of at most half a turn.
-double distance_from(const EnclosedEdge<double>& e, Place p) {
-  const double wx = e.to.x - e.from.x;
-  const double wy = e.to.y - e.from.y;
-  const double ends = std::min(std::hypot(p.x - e.from.x, p.y - e.from.y),
-                               std::hypot(p.x - e.to.x, p.y - e.to.y));
+/// The distance of a place from an edge of at most half a turn that ends in `to`.
+double distance_from(const EdgeInDoubles& e, Place to, Place p) {
+  const double wx = to.x - e.x;
+  const double wy = to.y - e.y;
+  const double ends =
+      std::min(std::hypot(p.x - e.x, p.y - e.y), std::hypot(p.x - to.x, p.y - to.y));
   if (e.is_line) {
-    const double t = (p.x - e.from.x) * wx + (p.y - e.from.y) * wy;
+    const double t = (p.x - e.x) * wx + (p.y - e.y) * wy;
     const double square = wx * wx + wy * wy;
     if (t <= 0 || t >= square) return ends;
-    return std::fabs(wx * (p.y - e.from.y) - wy * (p.x - e.from.x)) / std::sqrt(square);
+    return std::fabs(wx * (p.y - e.y) - wy * (p.x - e.x)) / std::sqrt(square);
   }
-  const double cx = e.from.x + e.radius.mid * e.start.x;
-  const double cy = e.from.y + e.radius.mid * e.start.y;
-  // Where the ray from the centre through p meets the circle, seen from the chord.
+  const double cx = e.x + e.radius * e.start_x;
+  const double cy = e.y + e.radius * e.start_y;
+  const double r = std::fabs(e.radius);
   const double off = std::hypot(p.x - cx, p.y - cy);
-  if (off == 0) return std::fabs(e.radius.mid);
-  const double k = std::fabs(e.radius.mid) / off;
-  const double side =
-      wx * (cy + k * (p.y - cy) - e.from.y) - wy * (cx + k * (p.x - cx) - e.from.x);
-  const bool on = e.counter_clockwise ? side < 0 : side > 0;
-  return on ? std::fabs(off - std::fabs(e.radius.mid)) : ends;
+  if (off == 0) return r;
+  // Where the ray from the centre through p meets the circle, seen from the chord.
+  const double k = r / off;
+  const double side = wx * (cy + k * (p.y - cy) - e.y) - wy * (cx + k * (p.x - cx) - e.x);
+  return (e.counter_clockwise ? side < 0 : side > 0) ? std::fabs(off - r) : ends;
 }
 
-Box box_of(const EnclosedEdge<double>& e) {
-  const Box ends{std::min(e.from.x, e.to.x), std::min(e.from.y, e.to.y),
-                 std::max(e.from.x, e.to.x), std::max(e.from.y, e.to.y)};
-  if (e.is_line) return ends;
+Box box_of(const EdgeInDoubles& e, Place to) {
+  const Box ends{std::min(e.x, to.x), std::min(e.y, to.y), std::max(e.x, to.x),
+                 std::max(e.y, to.y)};
   // An arc of at most half a turn leaves its chord by no more than half of it.
-  return ends.grown(0.5 * std::hypot(e.to.x - e.from.x, e.to.y - e.from.y));
+  return e.is_line ? ends : ends.grown(0.5 * std::hypot(to.x - e.x, to.y - e.y));
 }
 
 class Edges {
  public:
-  explicit Edges(const OffsetSource& source) : source_(source), tree_(boxes(source)) {}
+  explicit Edges(const OffsetSource& source)
+      : source_(source), tree_(source.edges(), [&](std::size_t i) {
+          const auto edge = static_cast<std::uint32_t>(i);
+          return box_of(source.in_doubles(edge), end_of(source, edge));
+        }) {}
 
   /// Whether some edge, save those that `on` keeps its distance from, surely lies nearer than
   /// `reach`; nothing when one lies about there.
@@ -87,8 +89,8 @@ class Edges {
     bool about = false;
     tree_.overlapping(Box{p.x, p.y, p.x, p.y}.grown(reach), [&](std::size_t i) {
       if (i == on.edge() || i == next) return;
-      const double off =
-          distance_from(source_.edge<double>(static_cast<std::uint32_t>(i)), p) - reach;
+      const auto edge = static_cast<std::uint32_t>(i);
+      const double off = distance_from(source_.in_doubles(edge), end_of(source_, edge), p) - reach;
       if (off < -kOffsetResolution)
         nearer = true;
       else if (off < kOffsetResolution)
@@ -100,12 +102,9 @@ class Edges {
   }
 
  private:
-  static std::vector<Box> boxes(const OffsetSource& source) {
-    std::vector<Box> boxes;
-    boxes.reserve(source.edges());
-    for (std::uint32_t i = 0; i < source.edges(); ++i)
-      boxes.push_back(box_of(source.edge<double>(i)));
-    return boxes;
+  static Place end_of(const OffsetSource& source, std::uint32_t edge) {
+    const EdgeInDoubles next = source.in_doubles(source.next(edge));
+    return {next.x, next.y};
   }
 
   const OffsetSource& source_;
@@ -118,8 +117,8 @@ bool may_have_voids(const OffsetSource& source) {
   for (std::size_t loop = 0; loop < source.loops(); ++loop) {
     Box box = kNowhere;
     for (std::uint32_t i = source.first(loop); i < source.first(loop + 1); ++i) {
-      const EnclosedEdge<double> e = source.edge<double>(i);
-      box = box.united({e.from.x, e.from.y, e.from.x, e.from.y});
+      const EdgeInDoubles e = source.in_doubles(i);
+      box = box.united({e.x, e.y, e.x, e.y});
       if (std::max(box.max_x - box.min_x, box.max_y - box.min_y) > width) break;
     }
     if (std::max(box.max_x - box.min_x, box.max_y - box.min_y) <= width) return true;
