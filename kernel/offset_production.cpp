@@ -22,18 +22,13 @@
 
 #include "kernel/box_tree.h"
 #include "kernel/check.h"
+#include "kernel/quick_crossing.h"
 #include "kernel/raw_curve.h"
 #include "kernel/offset_source.h"
 #include "kernel/offset_voids.h"
 
 namespace dgt {
 namespace {
-
-/// The hot spot of the engine, worth a body of its own.
-[[gnu::flatten]] Crossings<double> cross_in_doubles(const RawCurve& curve, std::uint32_t a,
-                                                    std::uint32_t b) {
-  return cross(curve.strand(a), curve.strand(b));
-}
 
 /// Two strands that cross. Each crossing is two events, one on each strand: number 2i + side.
 struct Passing {
@@ -94,9 +89,18 @@ class OffsetEngine {
   bool cross_strands(std::uint32_t a, std::uint32_t b) {
     ++counts_.decisions;
     if (curve_.surely_apart(a, b)) return true;
-    const Crossings<double> crossings = cross_in_doubles(curve_, a, b);
+    const quick::Crossings crossings = quick::cross(curve_, a, b);
     if (crossings.decided) {
-      add_passings(a, b, crossings);
+      for (int i = 0; i < crossings.count; ++i) {
+        const quick::Crossing& c = crossings.found[static_cast<std::size_t>(i)];
+        passings_.push_back({c.x,
+                             c.y,
+                             c.position,
+                             {rounded_up(c.position_rad[0]), rounded_up(c.position_rad[1])},
+                             {a, b},
+                             static_cast<std::int8_t>(c.turn),
+                             i == 1});
+      }
       return true;
     }
     ++counts_.fine;
@@ -105,16 +109,15 @@ class OffsetEngine {
     return finer.decided;
   }
 
-  template <class Real>
-  void add_passings(std::uint32_t a, std::uint32_t b, const Crossings<Real>& crossings) {
-    const auto radius = [](const Enclosed<Real>& e) {
+  void add_passings(std::uint32_t a, std::uint32_t b, const Crossings<DoubleDouble>& crossings) {
+    const auto radius = [](const Enclosed<DoubleDouble>& e) {
       return rounded_up(e.rad + 0x1p-52 * e.size());
     };
     for (int i = 0; i < crossings.count; ++i) {
-      const Crossing<Real>& c = crossings.found[static_cast<std::size_t>(i)];
-      passings_.push_back({coarse(c.at.x),
-                           coarse(c.at.y),
-                           {coarse(c.position[0].mid), coarse(c.position[1].mid)},
+      const Crossing<DoubleDouble>& c = crossings.found[static_cast<std::size_t>(i)];
+      passings_.push_back({c.at.x.hi,
+                           c.at.y.hi,
+                           {c.position[0].mid.hi, c.position[1].mid.hi},
                            {radius(c.position[0]), radius(c.position[1])},
                            {a, b},
                            static_cast<std::int8_t>(c.turn),
