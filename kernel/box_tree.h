@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -39,9 +40,8 @@ class BoxTree {
   /// `box_of(i)` for each i below `count`.
   template <class BoxOf>
   BoxTree(std::size_t count, BoxOf&& box_of) {
-    std::vector<Node>& leaves = levels_.emplace_back();
-    leaves.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) leaves.push_back(outward(box_of(i)));
+    Level& leaves = levels_.emplace_back((count + 3) / 4);
+    for (std::size_t i = 0; i < count; ++i) leaves[i / 4].set(i % 4, outward(box_of(i)));
     while (levels_.back().size() > 1) levels_.push_back(above(levels_.back()));
   }
 
@@ -58,18 +58,54 @@ class BoxTree {
   }
 
  private:
-  struct Node {
+  struct FloatBox {
     float min_x, min_y, max_x, max_y;
+  };
 
-    [[nodiscard]] bool overlaps(const Node& b) const {
-      return static_cast<int>(min_x <= b.max_x) & static_cast<int>(b.min_x <= max_x) &
-             static_cast<int>(min_y <= b.max_y) & static_cast<int>(b.min_y <= max_y);
+  /// Four floats that compilers treat as one.
+  using Lanes [[gnu::vector_size(16)]] = float;
+  using Bits [[gnu::vector_size(16)]] = int;
+
+  /// Four boxes, those that are not there empty: a node of the tree, with its lanes' children in the
+  /// level below at 4 · index + lane.
+  struct Four {
+    Lanes min_x, min_y, max_x, max_y;
+
+    static constexpr float kFar = std::numeric_limits<float>::max();
+    Four()
+        : min_x{kFar, kFar, kFar, kFar},
+          min_y(min_x),
+          max_x{-kFar, -kFar, -kFar, -kFar},
+          max_y(max_x) {}
+
+    void set(std::size_t lane, const FloatBox& box) {
+      min_x[lane] = box.min_x;
+      min_y[lane] = box.min_y;
+      max_x[lane] = box.max_x;
+      max_y[lane] = box.max_y;
+    }
+    [[nodiscard]] FloatBox lane(std::size_t i) const {
+      return {min_x[i], min_y[i], max_x[i], max_y[i]};
+    }
+    [[nodiscard]] FloatBox all() const {
+      FloatBox box = lane(0);
+      for (std::size_t i = 1; i < 4; ++i) {
+        box = {std::min(box.min_x, min_x[i]), std::min(box.min_y, min_y[i]),
+               std::max(box.max_x, max_x[i]), std::max(box.max_y, max_y[i])};
+      }
+      return box;
+    }
+    /// Bit i: lane i overlaps.
+    [[nodiscard]] unsigned overlapping(const FloatBox& b) const {
+      const Bits lanes = (min_x <= b.max_x) & (max_x >= b.min_x) & (min_y <= b.max_y) &
+                         (max_y >= b.min_y) & Bits{1, 2, 4, 8};
+      return static_cast<unsigned>(lanes[0] | lanes[1] | lanes[2] | lanes[3]);
     }
   };
-  using Level = std::vector<Node>;
+  using Level = std::vector<Four>;
 
   /// A float is nearest within 2⁻²⁴ of its size; twice that and the smallest normal number cover it.
-  static Node outward(const Box& box) {
+  static FloatBox outward(const Box& box) {
     const auto low = [](double v) {
       return static_cast<float>(v - std::fabs(v) * 0x1p-23) - std::numeric_limits<float>::min();
     };
@@ -80,57 +116,55 @@ class BoxTree {
   }
 
   static Level above(const Level& below) {
-    Level level;
-    level.reserve((below.size() + 3) / 4);
-    for (std::size_t i = 0; i < below.size(); i += 4) {
-      Node node = below[i];
-      for (std::size_t j = i + 1; j < std::min(i + 4, below.size()); ++j) {
-        node = {std::min(node.min_x, below[j].min_x), std::min(node.min_y, below[j].min_y),
-                std::max(node.max_x, below[j].max_x), std::max(node.max_y, below[j].max_y)};
-      }
-      level.push_back(node);
-    }
+    Level level((below.size() + 3) / 4);
+    for (std::size_t i = 0; i < below.size(); ++i) level[i / 4].set(i % 4, below[i].all());
     return level;
+  }
+
+  /// Calls `each(lane)` for each bit set.
+  template <class Each>
+  static void for_lanes(unsigned bits, Each&& each) {
+    for (; bits != 0; bits &= bits - 1) each(static_cast<std::size_t>(std::countr_zero(bits)));
   }
 
   template <class Visit>
   void pairs_within(std::size_t level, std::size_t index, Visit& visit) const {
-    if (level == 0) return;
-    const Level& below = levels_[level - 1];
-    const std::size_t end = std::min(4 * index + 4, below.size());
-    for (std::size_t i = 4 * index; i < end; ++i) {
-      pairs_within(level - 1, i, visit);
-      for (std::size_t j = i + 1; j < end; ++j)
-        if (below[i].overlaps(below[j])) pairs_between(level - 1, i, j, visit);
+    const Four& four = levels_[level][index];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const FloatBox box = four.lane(i);
+      if (box.min_x > box.max_x) continue;  // empty
+      if (level > 0) pairs_within(level - 1, 4 * index + i, visit);
+      const unsigned behind = ~0U << (i + 1);
+      for_lanes(four.overlapping(box) & behind, [&](std::size_t j) {
+        if (level == 0)
+          visit(4 * index + i, 4 * index + j);
+        else
+          pairs_between(level - 1, 4 * index + i, 4 * index + j, visit);
+      });
     }
   }
-  /// Of two nodes of one level that overlap, the first before the second.
   template <class Visit>
   void pairs_between(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const {
-    if (level == 0) {
-      visit(a, b);
-      return;
-    }
-    const Level& below = levels_[level - 1];
-    const Node& node_b = levels_[level][b];
-    const std::size_t end_a = std::min(4 * a + 4, below.size());
-    const std::size_t end_b = std::min(4 * b + 4, below.size());
-    for (std::size_t i = 4 * a; i < end_a; ++i) {
-      if (!below[i].overlaps(node_b)) continue;
-      for (std::size_t j = 4 * b; j < end_b; ++j)
-        if (below[i].overlaps(below[j])) pairs_between(level - 1, i, j, visit);
-    }
+    const Four& first = levels_[level][a];
+    const Four& second = levels_[level][b];
+    for_lanes(first.overlapping(second.all()), [&](std::size_t i) {
+      for_lanes(second.overlapping(first.lane(i)), [&](std::size_t j) {
+        if (level == 0)
+          visit(4 * a + i, 4 * b + j);
+        else
+          pairs_between(level - 1, 4 * a + i, 4 * b + j, visit);
+      });
+    });
   }
 
   template <class Visit>
-  void descend(std::size_t level, std::size_t index, const Node& box, Visit& visit) const {
-    if (!levels_[level][index].overlaps(box)) return;
-    if (level == 0) {
-      visit(index);
-      return;
-    }
-    const std::size_t end = std::min(4 * index + 4, levels_[level - 1].size());
-    for (std::size_t i = 4 * index; i < end; ++i) descend(level - 1, i, box, visit);
+  void descend(std::size_t level, std::size_t index, const FloatBox& box, Visit& visit) const {
+    for_lanes(levels_[level][index].overlapping(box), [&](std::size_t i) {
+      if (level == 0)
+        visit(4 * index + i);
+      else
+        descend(level - 1, 4 * index + i, box, visit);
+    });
   }
 
   std::vector<Level> levels_;  // the boxes first, the root last
