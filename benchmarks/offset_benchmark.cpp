@@ -3,12 +3,19 @@
 // arcs as chords of 1 µm height, tessellation not timed. Counters: time an element, decisions an
 // element and how many of these each stage of the cascade had to take.
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include "benchmarks/offset_shapes.h"
 #include "kernel/offset.h"
 
 namespace dgt {
 namespace {
+
+/// glibc hands memory back to the system after each run and gets it again page by page: a fifth of
+/// the time of a short one. A program that offsets many contours keeps it, and so do these runs, for
+/// every engine.
+const bool kKeepsMemory = mallopt(M_MMAP_THRESHOLD, 1 << 30) == 1 &&
+                          mallopt(M_TRIM_THRESHOLD, 1 << 30) == 1;
 
 /// Ordinary parts ask the exact stage for less than a thousandth of their decisions.
 constexpr double kExactShare = 0.001;
@@ -29,6 +36,7 @@ enum class Part { Ordinary, Degenerate };
 
 void production(benchmark::State& state, const BulgePolyline& shape, const char* distance,
                 Part part) {
+  if (!kKeepsMemory) state.SkipWithError("the allocator takes no settings");
   const std::vector<BulgePolyline> loops = {shape};
   const Rational d = parse_decimal(distance).value();
   OffsetCounts counts;

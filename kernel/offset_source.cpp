@@ -263,32 +263,21 @@ bool OffsetSource::suits_doubles() const {
 
 double OffsetSource::area(std::size_t loop) const {
   const std::uint32_t first = first_[loop];
-  const std::uint32_t end = first_[loop + 1];
-  double twice_area = 0;
-  // Segments of arcs take no more than π/8 of the square of their chord.
-  double most_of_arcs = 0;
   const EdgeInDoubles origin = in_doubles(first);
-  const auto sum_up = [&](auto&& add) {
-    EdgeInDoubles e = origin;
-    for (std::uint32_t i = first; i < end; ++i) {
-      const EdgeInDoubles next = i + 1 == end ? origin : in_doubles(i + 1);
-      add(e, next);
-      e = next;
+  double twice_area = 0;
+  EdgeInDoubles e = origin;
+  for (std::uint32_t i = first; i < first_[loop + 1]; ++i) {
+    const EdgeInDoubles next_edge = i + 1 == first_[loop + 1] ? origin : in_doubles(i + 1);
+    twice_area +=
+        (e.x - origin.x) * (next_edge.y - origin.y) - (next_edge.x - origin.x) * (e.y - origin.y);
+    if (!e.is_line) {
+      const double r = std::fabs(e.radius);
+      const double chord = std::hypot(next_edge.x - e.x, next_edge.y - e.y);
+      const double sweep = 2 * std::asin(std::min(1.0, chord / (2 * r)));
+      twice_area += (e.counter_clockwise ? 1 : -1) * r * r * (sweep - std::sin(sweep));
     }
-  };
-  sum_up([&](const EdgeInDoubles& e, const EdgeInDoubles& next) {
-    twice_area += (e.x - origin.x) * (next.y - origin.y) - (next.x - origin.x) * (e.y - origin.y);
-    if (e.is_line) return;
-    most_of_arcs += (next.x - e.x) * (next.x - e.x) + (next.y - e.y) * (next.y - e.y);
-  });
-  if (std::fabs(twice_area) > most_of_arcs) return twice_area / 2;
-  sum_up([&](const EdgeInDoubles& e, const EdgeInDoubles& next) {
-    if (e.is_line) return;
-    const double r = std::fabs(e.radius);
-    const double chord = std::hypot(next.x - e.x, next.y - e.y);
-    const double sweep = 2 * std::asin(std::min(1.0, chord / (2 * r)));
-    twice_area += (e.counter_clockwise ? 1 : -1) * r * r * (sweep - std::sin(sweep));
-  });
+    e = next_edge;
+  }
   return twice_area / 2;
 }
 
@@ -333,22 +322,13 @@ std::vector<Chain> OffsetSource::exact_loops() const {
   return chains;
 }
 
-Joint OffsetSource::joint(std::uint32_t i, const EdgeInDoubles& e,
-                          const EdgeInDoubles& next) const {
-  const double turn = e.end_x * next.start_y - e.end_y * next.start_x;
-  const double ahead = e.end_x * next.start_x + e.end_y * next.start_y;
-  // Components up to 1 on both sides, and three roundings.
-  const double rad = 2.1 * (e.normal_rad + next.normal_rad) + 0x1p-51;
-  const double most = std::fabs(turn) + rad;
-  if (ahead > 0.5 && (most <= kTangent || turns_by_rounding(i, most))) return Joint::Tangent;
-  if (std::fabs(turn) > rad) return turn > 0 ? Joint::Left : Joint::Right;
-  const Rational exact =
-      cross(exact_edge(i).end.vector(), exact_edge(this->next(i)).start.vector());
-  return sgn(exact) >= 0 ? Joint::Left : Joint::Right;
+Joint OffsetSource::sharp_joint(std::uint32_t i) const {
+  const Rational turn =
+      cross(exact_edge(i).end.vector(), exact_edge(next(i)).start.vector());
+  return sgn(turn) >= 0 ? Joint::Left : Joint::Right;
 }
 
 bool OffsetSource::turns_by_rounding(std::uint32_t i, double turn) const {
-  if (turn > kLargestRounding) return false;
   const std::uint32_t k = next(i);
   const EdgeInDoubles before = in_doubles(i);
   const EdgeInDoubles at = in_doubles(k);

@@ -136,6 +136,8 @@ class OffsetSource {
  private:
   void set_distance();
   [[nodiscard]] Joint joint(std::uint32_t i) const;
+  /// The joint behind edge `i` by its exact normals, which are not one.
+  [[nodiscard]] Joint sharp_joint(std::uint32_t i) const;
   /// Whether the edges about the end of edge `i` may turn so far by the rounding of their vertices.
   [[nodiscard]] bool turns_by_rounding(std::uint32_t i, double turn) const;
   /// Where the edge stands in the order in which it came.
@@ -150,5 +152,18 @@ class OffsetSource {
   Enclosed<DoubleDouble> fine_distance_;
   bool reversed_ = false;
 };
+
+inline Joint OffsetSource::joint(std::uint32_t i, const EdgeInDoubles& e,
+                                 const EdgeInDoubles& next) const {
+  const double turn = e.end_x * next.start_y - e.end_y * next.start_x;
+  const double ahead = e.end_x * next.start_x + e.end_y * next.start_y;
+  // Components up to 1 on both sides, and three roundings.
+  const double rad = 2.1 * (e.normal_rad + next.normal_rad) + 0x1p-51;
+  const double most = std::fabs(turn) + rad;
+  if (most <= kLargestRounding && ahead > 0 && (most <= kTangent || turns_by_rounding(i, most)))
+    return Joint::Tangent;
+  if (std::fabs(turn) > rad) return turn > 0 ? Joint::Left : Joint::Right;
+  return sharp_joint(i);
+}
 
 }  // namespace dgt

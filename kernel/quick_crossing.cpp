@@ -87,11 +87,12 @@ Crossings of_lines(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
       std::fabs(turn) < 128 * turn_rad)
     return undecided();
   // b_to − b_from and a_from − a_to are both the turn.
-  const double t = a_from / turn;
-  const double s = -b_from / turn;
-  const double size = std::fabs(turn);
-  const double t_rad = kMore * (rad_b + turn_rad) / size + kRound;
-  const double s_rad = kMore * (rad_a + turn_rad) / size + kRound;
+  const double inverse = 1 / turn;
+  const double t = a_from * inverse;
+  const double s = -b_from * inverse;
+  const double size = kMore * std::fabs(inverse);
+  const double t_rad = (rad_b + turn_rad) * size + kRound;
+  const double s_rad = (rad_a + turn_rad) * size + kRound;
   const double uu = dot(u, u);
   const double vv = dot(v, v);
   Crossings result;
@@ -132,13 +133,15 @@ Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t 
   const double t_rad =
       foot_rad + kMore * reach_rad / half + kRound * (std::fabs(foot) + half);
   const double outer = t_rad + uu_rad;
+  const double inverse = 1 / uu;
   const Span base{line.x - arc.x, line.y - arc.y, static_cast<double>(line.ends_rad) + arc.ends_rad};
   Crossings result;
   for (const int way : {-1, 1}) {
     const double t = foot + way * half;
     if (t < -t_rad || t > uu + outer) continue;
-    const double k = t / uu;
-    const double k_rad = kMore * (t_rad + std::fabs(k) * uu_rad) / uu + kRound * std::fabs(k);
+    const double k = t * inverse;
+    const double k_rad =
+        kMore * (t_rad + std::fabs(k) * uu_rad) * inverse + 2 * kRound * std::fabs(k);
     Span to{base.x + k * u.x, base.y + k * u.y, base.rad};
     to.rad += kMore * (k_rad * u.size + std::fabs(k) * (u.rad + kRound * u.size));
     const OnCircle on(arc, v, to);

@@ -50,6 +50,8 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
   Joint joint = source.joint(end - 1, e, next);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
+  double twice_area = 0;
+  double most_of_arcs = 0;  // segments of arcs take no more than π/8 of the square of their chord
   for (std::uint32_t i = first; i < end; ++i) {
     // The edge, from the normal at its beginning, which a tangent joint shares with the one before.
     RawStrand& s = strands_.emplace_back();
@@ -74,6 +76,10 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     }
     // The corner behind it.
     next = i + 1 == end ? first_edge : source.in_doubles(i + 1);
+    twice_area += (e.x - first_edge.x) * (next.y - first_edge.y) -
+                  (next.x - first_edge.x) * (e.y - first_edge.y);
+    if (!e.is_line)
+      most_of_arcs += (next.x - e.x) * (next.x - e.x) + (next.y - e.y) * (next.y - e.y);
     joint = source.joint(i, e, next);
     if (joint == Joint::Tangent) continue;
     const double to_size = std::fabs(next.x) + std::fabs(next.y);
@@ -99,7 +105,8 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
   }
   if (high - low > width_) {
     width_ = high - low;
-    region_number_ = source.area(loop) < 0 ? 0 : 1;
+    const double sense = std::fabs(twice_area) > most_of_arcs ? twice_area : source.area(loop);
+    region_number_ = sense < 0 ? 0 : 1;
   }
 }
 
