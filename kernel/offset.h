@@ -88,9 +88,7 @@ class RawKey {
 struct RegionPiece {
   double x = 0;  ///< where it begins
   double y = 0;
-  double centre_x = 0;
-  double centre_y = 0;
-  double radius = 0;  ///< signed, positive counter-clockwise; 0: a segment
+  double radius = 0;  ///< of an arc of at most half a turn, positive counter-clockwise; 0: a segment
   RawKey on;          ///< what it is a part of
   RawKey cut, by;     ///< it begins where these cross; the same: where `cut` begins
 };

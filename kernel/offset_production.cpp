@@ -155,10 +155,18 @@ class OffsetEngine {
   }
 
   bool sort_along(std::span<Event> events) {
-    if (events.size() > 2)
+    constexpr std::size_t kFew = 24;
+    if (events.size() > kFew) {
       std::ranges::sort(events, {}, [&](Event e) { return position(e); });
-    else if (position(events[0]) > position(events[1]))
-      std::swap(events[0], events[1]);
+    } else {
+      for (std::size_t k = 1; k < events.size(); ++k) {
+        const Event e = events[k];
+        const double at = position(e);
+        std::size_t to = k;
+        for (; to > 0 && position(events[to - 1]) > at; --to) events[to] = events[to - 1];
+        events[to] = e;
+      }
+    }
     counts_.decisions += events.size() - 1;
     std::size_t open = 0;
     for (std::size_t k = 1; k < events.size(); ++k) {
@@ -354,6 +362,7 @@ class OffsetEngine {
     const int wanted = curve_.region_number();
     OffsetRegion region;
     region.source_ = source_;
+    region.pieces_.reserve(curve_.size());
     std::vector<bool> used(order_.size(), false);
     for (const Event first : order_) {
       if (used[first] || left_after_[first] != wanted) continue;
@@ -395,10 +404,8 @@ class OffsetEngine {
 
   RegionPiece& add_piece(OffsetRegion& region, std::uint32_t s) const {
     const RawStrand& k = curve_[s];
-    RegionPiece piece{k.x, k.y, k.centre_x, k.centre_y, 0, k.key, k.key, k.key};
-    if (!k.is_line) piece.radius = k.counter_clockwise ? k.radius : -k.radius;
-    region.pieces_.push_back(piece);
-    return region.pieces_.back();
+    const double radius = k.is_line ? 0 : k.counter_clockwise ? k.radius : -k.radius;
+    return region.pieces_.emplace_back(RegionPiece{k.x, k.y, radius, k.key, k.key, k.key});
   }
 
   std::shared_ptr<const OffsetSource> source_;

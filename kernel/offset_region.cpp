@@ -81,10 +81,7 @@ OffsetRegion OffsetRegion::of(std::vector<OffsetLoop> loops) {
       RegionPiece& piece = region.pieces_.emplace_back();
       piece.x = p.from.x();
       piece.y = p.from.y();
-      if (p.is_line) continue;
-      piece.centre_x = nearest_double(p.centre.x);
-      piece.centre_y = nearest_double(p.centre.y);
-      piece.radius = nearest_double(p.radius);
+      piece.radius = p.is_line ? 0 : nearest_double(p.radius);
     }
     region.first_.push_back(region.pieces_.size());
   }

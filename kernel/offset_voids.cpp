@@ -36,11 +36,14 @@ struct Place {
 Place middle(const RegionPiece& p, Place to) {
   const Place half{(p.x + to.x) / 2, (p.y + to.y) / 2};
   if (p.radius == 0) return half;
-  // The arc lies to the right of its chord when it turns to the left.
+  // The arc rises to the right of its chord when it turns to the left, by c²/4 / (r + √(r² − c²/4)).
   const double wx = to.x - p.x;
   const double wy = to.y - p.y;
-  const double chord = std::hypot(wx, wy);
-  return {p.centre_x + wy / chord * p.radius, p.centre_y - wx / chord * p.radius};
+  const double square = (wx * wx + wy * wy) / 4;
+  const double r = std::fabs(p.radius);
+  const double rise = square / (r + std::sqrt(std::max(0.0, r * r - square)));
+  const double k = std::copysign(rise / (2 * std::sqrt(square)), p.radius);
+  return {half.x + k * wy, half.y - k * wx};
 }
 
 /// The distance of a place from an edge of at most half a turn that ends in `to`.

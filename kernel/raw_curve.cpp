@@ -2,6 +2,7 @@
 #include "kernel/raw_curve.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dgt {
 namespace {
@@ -45,22 +46,22 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
   };
 
   const EdgeInDoubles first_edge = source.in_doubles(first);
-  EdgeInDoubles e = source.in_doubles(end - 1);
-  EdgeInDoubles next = first_edge;
-  Joint joint = source.joint(end - 1, e, next);
+  std::array<EdgeInDoubles, 2> edges = {source.in_doubles(end - 1), first_edge};
+  Joint joint = source.joint(end - 1, edges[0], edges[1]);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   double twice_area = 0;
   double most_of_arcs = 0;  // segments of arcs take no more than π/8 of the square of their chord
   for (std::uint32_t i = first; i < end; ++i) {
     // The edge, from the normal at its beginning, which a tangent joint shares with the one before.
+    EdgeInDoubles& next = edges[(i - first) % 2];  // for now, the one before
+    const EdgeInDoubles& e = edges[(i - first + 1) % 2];
     RawStrand& s = strands_.emplace_back();
-    const double size = std::fabs(next.x) + std::fabs(next.y);
-    const bool tangent = joint == Joint::Tangent;
-    const EdgeInDoubles& owner = tangent ? e : next;
-    begin_at(s, next.x, next.y, tangent ? e.end_x : next.start_x, tangent ? e.end_y : next.start_y,
-             moved_rad(owner, size, d));
-    e = next;
+    const double size = std::fabs(e.x) + std::fabs(e.y);
+    if (joint == Joint::Tangent)
+      begin_at(s, e.x, e.y, next.end_x, next.end_y, moved_rad(next, size, d));
+    else
+      begin_at(s, e.x, e.y, e.start_x, e.start_y, moved_rad(e, size, d));
     low = std::min(low, e.x);
     high = std::max(high, e.x);
     s.key = RawKey(i, false);
