@@ -139,20 +139,22 @@ class BoxTree {
         if (level == 0)
           visit(4 * index + i, 4 * index + j);
         else
-          pairs_between(level - 1, 4 * index + i, 4 * index + j, visit);
+          pairs_between(level - 1, 4 * index + i, 4 * index + j, four.lane(j), visit);
       });
     }
   }
+  /// `all_of_b` is the box of the second node.
   template <class Visit>
-  void pairs_between(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const {
+  void pairs_between(std::size_t level, std::size_t a, std::size_t b, const FloatBox& all_of_b,
+                     Visit& visit) const {
     const Four& first = levels_[level][a];
     const Four& second = levels_[level][b];
-    for_lanes(first.overlapping(second.all()), [&](std::size_t i) {
+    for_lanes(first.overlapping(all_of_b), [&](std::size_t i) {
       for_lanes(second.overlapping(first.lane(i)), [&](std::size_t j) {
         if (level == 0)
           visit(4 * a + i, 4 * b + j);
         else
-          pairs_between(level - 1, 4 * a + i, 4 * b + j, visit);
+          pairs_between(level - 1, 4 * a + i, 4 * b + j, second.lane(j), visit);
       });
     });
   }

@@ -73,7 +73,7 @@ class OffsetEngine {
   // --- crossings --------------------------------------------------------------------------------
 
   bool find_crossings() {
-    passings_.reserve(curve_.size());
+    passings_.reserve(2 * curve_.size());
     bool decided = true;
     tree_.pairs([&](std::size_t i, std::size_t j) {
       const auto a = static_cast<std::uint32_t>(i);
