@@ -79,6 +79,47 @@ bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
          ax * bx + ay * by > 0;
 }
 
+/// What lies between ideal edges and their stand-ins (kOffsetResolution).
+void drop_minute_pieces(OffsetLoop& loop) {
+  std::vector<OffsetPiece> kept;
+  std::optional<Point> from;  // of the pieces dropped before this one
+  for (OffsetPiece& piece : loop.pieces) {
+    const bool minute = std::fabs(piece.to.x() - piece.from.x()) <= kOffsetResolution &&
+                        std::fabs(piece.to.y() - piece.from.y()) <= kOffsetResolution;
+    if (minute) {
+      if (!from) from = piece.from;
+      continue;
+    }
+    if (from) piece.from = *from;
+    from.reset();
+    kept.push_back(std::move(piece));
+  }
+  if (from && !kept.empty()) kept.back().to = kept.front().from;
+  loop.pieces = std::move(kept);
+}
+
+/// Joins the x-monotone parts of one arc, and of one line, again.
+void merge_pieces(OffsetLoop& loop) {
+  auto& pieces = loop.pieces;
+  // Begin at a true corner, so that no run passes the seam.
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const OffsetPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
+    if (same_support(before, pieces[i])) continue;
+    std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), pieces.end());
+    break;
+  }
+  std::vector<OffsetPiece> merged;
+  for (OffsetPiece& piece : pieces) {
+    const bool goes_on =
+        !merged.empty() && same_support(merged.back(), piece) && merged.size() + pieces.size() > 3;
+    if (goes_on && !(piece.is_line == false && merged.back().from == piece.to))
+      merged.back().to = piece.to;
+    else
+      merged.push_back(std::move(piece));
+  }
+  pieces = std::move(merged);
+}
+
 }  // namespace
 
 std::optional<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
@@ -150,25 +191,10 @@ void drop_void_loops(std::vector<OffsetLoop>& result, const std::vector<Chain>& 
   });
 }
 
-void merge_pieces(OffsetLoop& loop) {
-  auto& pieces = loop.pieces;
-  // Begin at a true corner, so that no run passes the seam.
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const OffsetPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
-    if (same_support(before, pieces[i])) continue;
-    std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), pieces.end());
-    break;
-  }
-  std::vector<OffsetPiece> merged;
-  for (OffsetPiece& piece : pieces) {
-    const bool goes_on =
-        !merged.empty() && same_support(merged.back(), piece) && merged.size() + pieces.size() > 3;
-    if (goes_on && !(piece.is_line == false && merged.back().from == piece.to))
-      merged.back().to = piece.to;
-    else
-      merged.push_back(std::move(piece));
-  }
-  pieces = std::move(merged);
+void tidy(OffsetLoop& loop) {
+  merge_pieces(loop);  // the parts of a small arc are smaller than it
+  drop_minute_pieces(loop);
+  merge_pieces(loop);
 }
 
 std::vector<Chain> reversed(const std::vector<Chain>& loops) {

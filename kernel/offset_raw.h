@@ -38,8 +38,8 @@ struct RawPiece {
 void drop_void_loops(std::vector<OffsetLoop>& result, const std::vector<Chain>& loops,
                      const Rational& distance);
 
-/// Joins the x-monotone parts of one arc, and of one line, again.
-void merge_pieces(OffsetLoop& loop);
+/// Leaves out what is minute, and joins the parts of one arc, or of one line.
+void tidy(OffsetLoop& loop);
 
 [[nodiscard]] std::vector<Chain> reversed(const std::vector<Chain>& loops);
 /// The same loops run the other way.

@@ -15,7 +15,7 @@ std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
   std::vector<OffsetLoop> result =
       cgal::faces_with_winding_number(raw_curve(loops, distance), number_of_region(loops));
   drop_void_loops(result, loops, distance);
-  for (OffsetLoop& loop : result) merge_pieces(loop);
+  for (OffsetLoop& loop : result) tidy(loop);
   return result;
 }
 

@@ -138,7 +138,7 @@ std::vector<OffsetLoop> OffsetRegion::exact() const {
     }
     for (std::size_t k = 0; k < exact.pieces.size(); ++k)
       exact.pieces[k].to = exact.pieces[(k + 1) % exact.pieces.size()].from;
-    merge_pieces(exact);
+    tidy(exact);
   }
   return result;
 }

@@ -347,7 +347,9 @@ Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDoubl
   if (key.corner()) return corner(e, edge(next(key.edge())), joint(key.edge()), d);
   const std::uint32_t before = previous(key.edge());
   const bool tangent = joint(before) == Joint::Tangent;
-  return moved(e, tangent ? edge(before).end : e.start, d);
+  Strand<DoubleDouble> s = moved(e, tangent ? edge(before).end : e.start, d);
+  if (shrinks_to_chord(in_doubles(key.edge()))) s.is_line = true;
+  return s;
 }
 
 RawPiece OffsetSource::exact_piece(RawKey key, const Rational& distance) const {

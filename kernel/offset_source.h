@@ -129,6 +129,11 @@ class OffsetSource {
   /// The strand of an edge, or of the corner behind it, moved by `distance`.
   [[nodiscard]] Strand<DoubleDouble> strand(RawKey key,
                                             const Enclosed<DoubleDouble>& distance) const;
+  /// Whether the offset shrinks an arc to within kTangent of the distance about its centre. Its ends,
+  /// shared with its neighbours, need not lie on what is left of its circle: it is its chord, then.
+  [[nodiscard]] bool shrinks_to_chord(const EdgeInDoubles& e) const {
+    return !e.is_line && std::fabs(e.radius - decisive_.mid) <= kTangent * decisive_.mid;
+  }
   [[nodiscard]] RawPiece exact_piece(RawKey key, const Rational& distance) const;
   /// Where it begins.
   [[nodiscard]] RationalPoint exact_beginning(RawKey key) const;

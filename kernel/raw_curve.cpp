@@ -65,8 +65,8 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     low = std::min(low, e.x);
     high = std::max(high, e.x);
     s.key = RawKey(i, false);
-    s.is_line = e.is_line;
-    if (!e.is_line) {
+    s.is_line = e.is_line || source.shrinks_to_chord(e);
+    if (!s.is_line) {
       s.counter_clockwise = e.counter_clockwise;
       s.centre_x = e.x + e.radius * e.start_x;
       s.centre_y = e.y + e.radius * e.start_y;
