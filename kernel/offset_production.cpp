@@ -191,14 +191,56 @@ class OffsetEngine {
       if (!c.decided || c.count <= static_cast<int>(root)) return false;
       placed.push_back({e, c.found[root].position[e % 2]});
     }
-    std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
-      return (a.at - b.at).mid.hi < 0;
+    std::ranges::sort(placed, {}, [](const Placed& p) {
+      return std::pair(p.at.mid.hi, p.at.mid.lo);
     });
-    for (std::size_t k = 0; k < placed.size(); ++k) {
-      events[k] = placed[k].event;
-      if (k > 0 && (placed[k].at - placed[k - 1].at).sign() <= 0) return false;
+    for (std::size_t k = 1; k < placed.size(); ++k) {
+      if ((placed[k].at - placed[k - 1].at).sign() > 0) continue;
+      const int order = order_at_cusp(placed[k - 1].event, placed[k].event);
+      if (order == 0) return false;
+      if (order > 0) continue;
+      if (k > 1 && (placed[k].at - placed[k - 2].at).sign() <= 0) return false;
+      std::swap(placed[k - 1], placed[k]);
     }
+    for (std::size_t k = 0; k < placed.size(); ++k) events[k] = placed[k].event;
     return true;
+  }
+
+  /// Two strands that follow each other, with a cusp between, and a third that crosses both at a
+  /// distance h from it: along the third, they lie (κ₁ − κ₂) h²/2 apart, which may be far too little
+  /// to measure. Their curvatures tell the order all the same: +1 when `e` comes before `f`, −1 when
+  /// behind, 0 when this is not the case in hand.
+  [[nodiscard]] int order_at_cusp(Event e, Event f) const {
+    const std::uint32_t one = strand(twin(e));
+    const std::uint32_t two = strand(twin(f));
+    if (curve_.next(two) == one && curve_.next(one) != two) return -order_at_cusp(f, e);
+    if (curve_.next(one) != two) return 0;
+    const Strand<DoubleDouble> into = fine(one);
+    const Strand<DoubleDouble> out = fine(two);
+    const auto ahead = heading(out, out.from);
+    if (dot(heading(into, into.to), ahead).sign() >= 0) return 0;
+    // The first strand, seen from the cusp, runs backwards.
+    const auto bend = curvature(out);
+    const auto bend_back = curvature(into);
+    if (!bend || !bend_back) return 0;
+    const int above = (-*bend_back - *bend).sign();  // +1: the first lies to the left of the second
+    const int across = cross(ahead, heading(fine(strand(e)), out.from)).sign();
+    return -above * across;
+  }
+
+  /// Along the strand, at a place on it.
+  static EnclosedVector<DoubleDouble> heading(const Strand<DoubleDouble>& s,
+                                              const EnclosedVector<DoubleDouble>& at) {
+    if (s.is_line) return s.to - s.from;
+    const EnclosedVector<DoubleDouble> left = turned_left(at - s.centre);
+    return s.counter_clockwise ? left : -left;
+  }
+  /// Positive to the left; nothing when the radius may be 0.
+  static std::optional<Enclosed<DoubleDouble>> curvature(const Strand<DoubleDouble>& s) {
+    if (s.is_line) return Enclosed<DoubleDouble>{};
+    if (s.radius.sign() <= 0) return std::nullopt;
+    const Enclosed<DoubleDouble> bend = Enclosed<DoubleDouble>{1.0, 0} / s.radius;
+    return s.counter_clockwise ? bend : -bend;
   }
 
   /// Where the events of a loop begin in the order.

@@ -81,20 +81,20 @@ bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
 
 /// What lies between ideal edges and their stand-ins (kOffsetResolution).
 void drop_minute_pieces(OffsetLoop& loop) {
+  const auto is_minute = [](const OffsetPiece& p) {
+    return std::fabs(p.to.x() - p.from.x()) <= kOffsetResolution &&
+           std::fabs(p.to.y() - p.from.y()) <= kOffsetResolution;
+  };
+  // Begin at something larger, so that no run of them passes the seam.
+  const auto first = std::ranges::find_if_not(loop.pieces, is_minute);
+  std::ranges::rotate(loop.pieces, first);
   std::vector<OffsetPiece> kept;
-  std::optional<Point> from;  // of the pieces dropped before this one
   for (OffsetPiece& piece : loop.pieces) {
-    const bool minute = std::fabs(piece.to.x() - piece.from.x()) <= kOffsetResolution &&
-                        std::fabs(piece.to.y() - piece.from.y()) <= kOffsetResolution;
-    if (minute) {
-      if (!from) from = piece.from;
-      continue;
-    }
-    if (from) piece.from = *from;
-    from.reset();
-    kept.push_back(std::move(piece));
+    if (is_minute(piece))
+      kept.back().to = piece.to;
+    else
+      kept.push_back(std::move(piece));
   }
-  if (from && !kept.empty()) kept.back().to = kept.front().from;
   loop.pieces = std::move(kept);
 }
 

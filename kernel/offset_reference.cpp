@@ -7,14 +7,13 @@ namespace dgt {
 std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
                                          const Rational& distance) {
   if (loops.empty()) return {};
-  if (sgn(distance) < 0) {  // growing the region is shrinking what lies beyond it
-    std::vector<OffsetLoop> result = reference_offset(reversed(loops), -distance);
-    reverse_loops(result);
-    return result;
-  }
+  const bool grows = sgn(distance) < 0;  // growing the region is shrinking what lies beyond it
+  const std::vector<Chain> shrunk = grows ? reversed(loops) : loops;
+  const Rational by = abs(distance);
   std::vector<OffsetLoop> result =
-      cgal::faces_with_winding_number(raw_curve(loops, distance), number_of_region(loops));
-  drop_void_loops(result, loops, distance);
+      cgal::faces_with_winding_number(raw_curve(shrunk, by), number_of_region(shrunk));
+  drop_void_loops(result, shrunk, by);
+  if (grows) reverse_loops(result);
   for (OffsetLoop& loop : result) tidy(loop);
   return result;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "kernel/offset.h"
+#include "kernel/contour_legs.h"
 
 namespace dgt::differential {
 namespace {
@@ -50,7 +51,7 @@ bool turns_about_origin(const BulgeVertex& p, const BulgeVertex& q) {
   const double px = p.at.x.get_d(), py = p.at.y.get_d();
   const double wx = q.at.x.get_d() - px, wy = q.at.y.get_d() - py;
   double x = px, y = py;
-  constexpr int kSteps = 16;
+  constexpr int kSteps = 64;
   for (int i = 1; i <= kSteps; ++i) {
     // The point of the arc whose own bulge from p is t b, on the way there: by half tangents.
     const double turn = 4 * std::atan(b);
@@ -63,7 +64,7 @@ bool turns_about_origin(const BulgeVertex& p, const BulgeVertex& q) {
       nx = cx + (px - cx) * c - (py - cy) * s;
       ny = cy + (px - cx) * s + (py - cy) * c;
     }
-    if (x * ny - y * nx <= 1e-3 * (std::hypot(nx, ny) + std::hypot(x, y)) / kSteps) return false;
+    if (x * ny - y * nx <= 2e-2 * (std::hypot(nx, ny) + std::hypot(x, y)) / kSteps) return false;
     x = nx;
     y = ny;
   }
@@ -73,7 +74,9 @@ bool turns_about_origin(const BulgeVertex& p, const BulgeVertex& q) {
 Loop star(Dice& dice, double radius, int vertices, int digits) {
   Loop loop;
   for (int i = 0; i < vertices; ++i) {
-    const double angle = 2 * std::numbers::pi * (i + dice.within(-0.35, 0.35)) / vertices;
+    // Less than half a turn from one to the next.
+    const double sway = vertices < 5 ? 0.2 : 0.35;
+    const double angle = 2 * std::numbers::pi * (i + dice.within(-sway, sway)) / vertices;
     const double r = radius * dice.within(0.5, 1.3);
     loop.push_back({{decimal(r * std::cos(angle), digits), decimal(r * std::sin(angle), digits)},
                     0});
@@ -211,10 +214,8 @@ std::vector<Loop> offset(Dice& dice) {
     for (const OffsetPiece& piece : found.pieces) {
       double bulge = 0;
       if (!piece.is_line) {
-        const double chord =
-            std::hypot(piece.to.x() - piece.from.x(), piece.to.y() - piece.from.y());
-        const double r = piece.radius.get_d();
-        bulge = std::copysign(std::tan(std::asin(std::min(1.0, chord / (2 * std::fabs(r)))) / 2), r);
+        const Circle circle(piece.centre, piece.radius);
+        bulge = std::tan(coarse_sweep(circle, piece.from, piece.to) * std::numbers::pi / 720);
       }
       loop.push_back({{Rational(piece.from.x()), Rational(piece.from.y())}, Rational(bulge)});
     }
