@@ -12,10 +12,10 @@ namespace dgt {
 namespace {
 
 /// glibc hands memory back to the system after each run and gets it again page by page: a fifth of
-/// the time of a short one. A program that offsets many contours keeps it, and so do these runs, for
-/// every engine.
-const bool kKeepsMemory = mallopt(M_MMAP_THRESHOLD, 1 << 30) == 1 &&
-                          mallopt(M_TRIM_THRESHOLD, 1 << 30) == 1;
+/// the time of a short one. A program that offsets many contours keeps it, and so do these runs,
+/// for every engine.
+const bool kKeepsMemory =
+    mallopt(M_MMAP_THRESHOLD, 1 << 30) == 1 && mallopt(M_TRIM_THRESHOLD, 1 << 30) == 1;
 
 /// Ordinary parts ask the exact stage for less than a thousandth of their decisions.
 constexpr double kExactShare = 0.001;

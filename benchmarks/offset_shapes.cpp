@@ -24,7 +24,9 @@ BulgePoint polar(double radius, double angle, double bulge = 0) {
 struct Spot {
   double x, y;
 };
-Spot at(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
+Spot at(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
 
 /// A round of radius r in the corner a–b–c, as its two ends and its bulge.
 struct Round {
@@ -38,8 +40,8 @@ Round round_corner(Spot a, Spot b, Spot c, double r) {
   const Spot v{(c.x - b.x) / on, (c.y - b.y) / on};
   const double turn = std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
   const double cut = r * std::fabs(std::tan(turn / 2));
-  return {{b.x - cut * u.x, b.y - cut * u.y}, {b.x + cut * v.x, b.y + cut * v.y},
-          std::tan(turn / 4)};
+  return {
+      {b.x - cut * u.x, b.y - cut * u.y}, {b.x + cut * v.x, b.y + cut * v.y}, std::tan(turn / 4)};
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ class BoxTree {
   using Lanes [[gnu::vector_size(16)]] = float;
   using Bits [[gnu::vector_size(16)]] = int;
 
-  /// Four boxes, those that are not there empty: a node of the tree, with its lanes' children in the
-  /// level below at 4 · index + lane.
+  /// Four boxes, those that are not there empty: a node of the tree, with its lanes' children in
+  /// the level below at 4 · index + lane.
   struct Four {
     Lanes min_x, min_y, max_x, max_y;
 
@@ -104,7 +104,8 @@ class BoxTree {
   };
   using Level = std::vector<Four>;
 
-  /// A float is nearest within 2⁻²⁴ of its size; twice that and the smallest normal number cover it.
+  /// A float is nearest within 2⁻²⁴ of its size; twice that and the smallest normal number cover
+  /// it.
   static FloatBox outward(const Box& box) {
     const auto low = [](double v) {
       return static_cast<float>(v - std::fabs(v) * 0x1p-23) - std::numeric_limits<float>::min();

@@ -11,8 +11,8 @@ namespace dgt {
 /// With u = 2⁻⁵³ the relative errors are at most 3u² + 13u³ for sums, 5u² for products, 10u² for
 /// quotients and 4u² for roots (Joldes, Muller, Popescu, *Tight and rigorous error bounds for basic
 /// building blocks of double-word arithmetic*, 2017; Lefèvre, Louvet, Muller, Picot, Rideau,
-/// *Accurate calculation of Euclidean norms using double-word arithmetic*, 2023), as long as nothing
-/// overflows or underflows. kRoundoff is above them all.
+/// *Accurate calculation of Euclidean norms using double-word arithmetic*, 2023), as long as
+/// nothing overflows or underflows. kRoundoff is above them all.
 struct DoubleDouble {
   double hi = 0;
   double lo = 0;

@@ -91,9 +91,9 @@ struct EnclosedVector {
   }
   friend EnclosedVector operator*(const Enclosed<Real>& k, const EnclosedVector& a) {
     EnclosedVector p{k.mid * a.x, k.mid * a.y, 0};
-    p.rad = (k.size() * a.rad + a.size() * k.rad + k.rad * a.rad + kRoundoff<Real> * p.size()) *
-                kUp +
-            kTiny;
+    p.rad =
+        (k.size() * a.rad + a.size() * k.rad + k.rad * a.rad + kRoundoff<Real> * p.size()) * kUp +
+        kTiny;
     return p;
   }
 };

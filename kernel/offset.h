@@ -88,9 +88,10 @@ class RawKey {
 struct RegionPiece {
   double x = 0;  ///< where it begins
   double y = 0;
-  double radius = 0;  ///< of an arc of at most half a turn, positive counter-clockwise; 0: a segment
-  RawKey on;          ///< what it is a part of
-  RawKey cut, by;     ///< it begins where these cross; the same: where `cut` begins
+  double radius =
+      0;           ///< of an arc of at most half a turn, positive counter-clockwise; 0: a segment
+  RawKey on;       ///< what it is a part of
+  RawKey cut, by;  ///< it begins where these cross; the same: where `cut` begins
 };
 
 /// What the production engine makes: loops in doubles, exact when asked.
@@ -118,10 +119,10 @@ class OffsetRegion {
   std::vector<std::size_t> first_ = {0};
 };
 
-/// The production engine: winding numbers carried along the raw curve, crossings found through a box
-/// tree in contour order, decisions in doubles with a proved bound, then in double-doubles. What
-/// those leave open (raw pieces that coincide at any distance, as where loops touch) sends the whole
-/// input to the reference engine. Same loops as reference_offset.
+/// The production engine: winding numbers carried along the raw curve, crossings found through a
+/// box tree in contour order, decisions in doubles with a proved bound, then in double-doubles.
+/// What those leave open (raw pieces that coincide at any distance, as where loops touch) sends the
+/// whole input to the reference engine. Same loops as reference_offset.
 [[nodiscard]] OffsetRegion production_offset(const std::vector<BulgePolyline>& loops,
                                              const Rational& distance,
                                              OffsetCounts* counts = nullptr);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The production engine. Its outline is `run` below:
 //
-//   raw curve in doubles → box tree in contour order → crossings of overlapping pieces, sorted along
-//   each piece → winding number of each stretch between crossings → stretches with the wanted
+//   raw curve in doubles → box tree in contour order → crossings of overlapping pieces, sorted
+//   along each piece → winding number of each stretch between crossings → stretches with the wanted
 //   number on the left, joined at crossings into loops.
 //
 // Consecutive pieces of a raw curve are tangent where they join and meet nowhere else, so they are
@@ -13,19 +13,19 @@
 // contact by design (a slot exactly as wide as the tool), and double-doubles, good to some 2⁻⁹⁰ mm,
 // can tell. What they cannot tell coincides at every distance, and the reference engine takes it.
 //
-// Joints whose edges' normals agree within kTangent are tangent: one point, no corner. The raw curve
-// then differs from the exact one by d·kTangent²/2 across and d·kTangent along, a sliver in which
-// nothing that is meant takes place.
+// Joints whose edges' normals agree within kTangent are tangent: one point, no corner. The raw
+// curve then differs from the exact one by d·kTangent²/2 across and d·kTangent along, a sliver in
+// which nothing that is meant takes place.
 #include <algorithm>
 #include <limits>
 #include <optional>
 
 #include "kernel/box_tree.h"
 #include "kernel/check.h"
-#include "kernel/quick_crossing.h"
-#include "kernel/raw_curve.h"
 #include "kernel/offset_source.h"
 #include "kernel/offset_voids.h"
+#include "kernel/quick_crossing.h"
+#include "kernel/raw_curve.h"
 
 namespace dgt {
 namespace {
@@ -191,9 +191,8 @@ class OffsetEngine {
       if (!c.decided || c.count <= static_cast<int>(root)) return false;
       placed.push_back({e, c.found[root].position[e % 2]});
     }
-    std::ranges::sort(placed, {}, [](const Placed& p) {
-      return std::pair(p.at.mid.hi, p.at.mid.lo);
-    });
+    std::ranges::sort(placed, {},
+                      [](const Placed& p) { return std::pair(p.at.mid.hi, p.at.mid.lo); });
     for (std::size_t k = 1; k < placed.size(); ++k) {
       if ((placed[k].at - placed[k - 1].at).sign() > 0) continue;
       const int order = order_at_cusp(placed[k - 1].event, placed[k].event);
@@ -207,9 +206,9 @@ class OffsetEngine {
   }
 
   /// Two strands that follow each other, with a cusp between, and a third that crosses both at a
-  /// distance h from it: along the third, they lie (κ₁ − κ₂) h²/2 apart, which may be far too little
-  /// to measure. Their curvatures tell the order all the same: +1 when `e` comes before `f`, −1 when
-  /// behind, 0 when this is not the case in hand.
+  /// distance h from it: along the third, they lie (κ₁ − κ₂) h²/2 apart, which may be far too
+  /// little to measure. Their curvatures tell the order all the same: +1 when `e` comes before `f`,
+  /// −1 when behind, 0 when this is not the case in hand.
   [[nodiscard]] int order_at_cusp(Event e, Event f) const {
     const std::uint32_t one = strand(twin(e));
     const std::uint32_t two = strand(twin(f));
@@ -262,9 +261,7 @@ class OffsetEngine {
 
   /// Of the curve's left, going on along the strand. The second strand passes to the left of the
   /// first: going on along the first leaves its left.
-  [[nodiscard]] int step(Event e) const {
-    return e % 2 == 0 ? -passing(e).turn : passing(e).turn;
-  }
+  [[nodiscard]] int step(Event e) const { return e % 2 == 0 ? -passing(e).turn : passing(e).turn; }
 
   bool carry_numbers() {
     left_after_.resize(order_.size());
@@ -379,7 +376,8 @@ class OffsetEngine {
     return number;
   }
 
-  /// A ray that starts on an arc may meet it once more, mirrored in the vertical through its centre.
+  /// A ray that starts on an arc may meet it once more, mirrored in the vertical through its
+  /// centre.
   template <class Real>
   static Crossings<Real> own_return(const Strand<Real>& arc, const Strand<Real>& ray) {
     if (arc.is_line) return {};
@@ -420,8 +418,7 @@ class OffsetEngine {
     }
     for (std::size_t loop = 0; loop < source_->loops(); ++loop) {
       if (first_rank(loop) != last_rank(loop) || loop_number_[loop] != wanted) continue;
-      for (std::uint32_t s = curve_.begin(loop); s < curve_.end(loop); ++s)
-        add_piece(region, s);
+      for (std::uint32_t s = curve_.begin(loop); s < curve_.end(loop); ++s) add_piece(region, s);
       region.first_.push_back(region.pieces_.size());
     }
     return region;
@@ -463,12 +460,12 @@ class OffsetEngine {
   std::vector<int> loop_number_;            ///< where each loop was probed
 };
 
-// --- from input to result -------------------------------------------------------------------------
+// --- from input to result
+// -------------------------------------------------------------------------
 
 namespace {
 
-OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source,
-                          OffsetCounts& counts) {
+OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source, OffsetCounts& counts) {
   counts.exact = counts.decisions;
   return OffsetRegion::of(reference_offset(source->exact_loops(), source->distance()));
 }

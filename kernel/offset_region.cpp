@@ -53,17 +53,17 @@ class Vertex {
   }
 
   [[nodiscard]] ExactPoint exact() const {
-    if (piece_.cut == piece_.by)
-      return ExactPoint(source_->exact_beginning(piece_.cut));
+    if (piece_.cut == piece_.by) return ExactPoint(source_->exact_beginning(piece_.cut));
     // What only touches when the distance is exact may be apart by what stand-ins are off; beyond
     // it, the two cross.
     for (const Rational& beyond : {Rational(0), power_of_two(kContactExponent)}) {
       const Rational d = source_->distance() + beyond;
       const auto places = cgal::support_crossings(source_->exact_piece(piece_.cut, d),
                                                   source_->exact_piece(piece_.by, d));
-      if (!places.empty()) return *std::ranges::min_element(places, {}, [&](const ExactPoint& p) {
-        return std::hypot(nearest_double(p.x) - piece_.x, nearest_double(p.y) - piece_.y);
-      });
+      if (!places.empty())
+        return *std::ranges::min_element(places, {}, [&](const ExactPoint& p) {
+          return std::hypot(nearest_double(p.x) - piece_.x, nearest_double(p.y) - piece_.y);
+        });
     }
     DGT_CHECK(false);
   }
@@ -133,7 +133,7 @@ std::vector<OffsetLoop> OffsetRegion::exact() const {
       const ChainEdge edge = source_->exact_edge(piece.on.edge());
       p.centre = piece.on.corner() ? edge.to : edge.centre();
       p.radius = piece.on.corner() ? source_->distance()
-                                 : Rational(abs(edge.radius - source_->distance()));
+                                   : Rational(abs(edge.radius - source_->distance()));
       if (piece.radius < 0) p.radius = -p.radius;
     }
     for (std::size_t k = 0; k < exact.pieces.size(); ++k)

@@ -57,10 +57,10 @@ bool is_straight(const BulgePoint& p) {
   return std::fabs(p.bulge) < std::ldexp(1.0, kStraightBulgeExponent);
 }
 
-/// The edge from p to q. With b the bulge, the sine and cosine of half the sweep are 2b/(1 + b²) and
-/// (1 − b²)/(1 + b²): by it the normals at the ends are turned against the chord's, and the radius
-/// is |w| (1 + b²) / 4b. The exact radius |w|²/(2 w·n) follows the stand-in n: it is off by 2⁻⁹⁶ of
-/// the sine.
+/// The edge from p to q. With b the bulge, the sine and cosine of half the sweep are 2b/(1 + b²)
+/// and (1 − b²)/(1 + b²): by it the normals at the ends are turned against the chord's, and the
+/// radius is |w| (1 + b²) / 4b. The exact radius |w|²/(2 w·n) follows the stand-in n: it is off by
+/// 2⁻⁹⁶ of the sine.
 template <class Real>
 EnclosedEdge<Real> edge_between(const BulgePoint& p, const BulgePoint& q) {
   EnclosedEdge<Real> e;
@@ -92,10 +92,10 @@ EnclosedEdge<Real> edge_between(const BulgePoint& p, const BulgePoint& q) {
   return e;
 }
 
-/// The edge of edge_between in doubles, and what that is off by, with u = 2⁻⁵³. A chord w is good to
-/// 1 u, its square to 4 u, the root to 3 u, its inverse to 4 u, so the chord's normal to 6 u. On arcs
-/// (1 − b²)/(1 + b²) is off by 6 u, 2b/(1 + b²) by 4 u of itself, their products with the normal by
-/// 13 u and 11 u, and the sum of these by 26 u; the radius by 14 u of itself.
+/// The edge of edge_between in doubles, and what that is off by, with u = 2⁻⁵³. A chord w is good
+/// to 1 u, its square to 4 u, the root to 3 u, its inverse to 4 u, so the chord's normal to 6 u. On
+/// arcs (1 − b²)/(1 + b²) is off by 6 u, 2b/(1 + b²) by 4 u of itself, their products with the
+/// normal by 13 u and 11 u, and the sum of these by 26 u; the radius by 14 u of itself.
 EdgeInDoubles in_doubles_between(const BulgePoint& p, const BulgePoint& q) {
   EdgeInDoubles e;
   e.x = p.x;
@@ -323,8 +323,7 @@ std::vector<Chain> OffsetSource::exact_loops() const {
 }
 
 Joint OffsetSource::sharp_joint(std::uint32_t i) const {
-  const Rational turn =
-      cross(exact_edge(i).end.vector(), exact_edge(next(i)).start.vector());
+  const Rational turn = cross(exact_edge(i).end.vector(), exact_edge(next(i)).start.vector());
   return sgn(turn) >= 0 ? Joint::Left : Joint::Right;
 }
 
@@ -355,7 +354,7 @@ Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDoubl
 RawPiece OffsetSource::exact_piece(RawKey key, const Rational& distance) const {
   const ChainEdge e = exact_edge(key.edge());
   return key.corner() ? raw_corner(e, exact_edge(next(key.edge())), distance).value()
-                    : raw_edge(e, distance).value();
+                      : raw_edge(e, distance).value();
 }
 
 RationalPoint OffsetSource::exact_beginning(RawKey key) const {

@@ -53,14 +53,13 @@ template <class Real>
   return coarse(a.mid) < 0 ? -a : a;
 }
 
-
 /// How the normal goes on behind an edge.
 enum class Joint : std::uint8_t { Tangent, Left, Right };
 
 /// `normal` is that at the beginning, which a tangent joint shares with the edge before.
 template <class Real>
 [[nodiscard]] Strand<Real> moved(const EnclosedEdge<Real>& e, const EnclosedVector<Real>& normal,
-                   const Enclosed<Real>& distance) {
+                                 const Enclosed<Real>& distance) {
   Strand<Real> s;
   s.from = e.from + distance * normal;
   s.to = e.to + distance * e.end;
@@ -75,8 +74,8 @@ template <class Real>
 }
 
 template <class Real>
-[[nodiscard]] Strand<Real> corner(const EnclosedEdge<Real>& e, const EnclosedEdge<Real>& next, Joint joint,
-                    const Enclosed<Real>& distance) {
+[[nodiscard]] Strand<Real> corner(const EnclosedEdge<Real>& e, const EnclosedEdge<Real>& next,
+                                  Joint joint, const Enclosed<Real>& distance) {
   Strand<Real> s;
   s.is_line = false;
   s.centre = e.to;
@@ -129,8 +128,9 @@ class OffsetSource {
   /// The strand of an edge, or of the corner behind it, moved by `distance`.
   [[nodiscard]] Strand<DoubleDouble> strand(RawKey key,
                                             const Enclosed<DoubleDouble>& distance) const;
-  /// Whether the offset shrinks an arc to within kTangent of the distance about its centre. Its ends,
-  /// shared with its neighbours, need not lie on what is left of its circle: it is its chord, then.
+  /// Whether the offset shrinks an arc to within kTangent of the distance about its centre. Its
+  /// ends, shared with its neighbours, need not lie on what is left of its circle: it is its chord,
+  /// then.
   [[nodiscard]] bool shrinks_to_chord(const EdgeInDoubles& e) const {
     return !e.is_line && std::fabs(e.radius - decisive_.mid) <= kTangent * decisive_.mid;
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops of a result that bound nothing: slivers, and void loops (offset.h), which the winding number
-// alone cannot tell. A void loop lies nearer than the distance to some edge, at each of its points;
-// one point is held against the edges about it.
+// Loops of a result that bound nothing: slivers, and void loops (offset.h), which the winding
+// number alone cannot tell. A void loop lies nearer than the distance to some edge, at each of its
+// points; one point is held against the edges about it.
+#include "kernel/offset_voids.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,17 +12,15 @@
 #include "kernel/box_tree.h"
 #include "kernel/offset_raw.h"
 #include "kernel/offset_source.h"
-#include "kernel/offset_voids.h"
 
 namespace dgt {
 namespace {
 
 using Loop = std::span<const RegionPiece>;
 
-constexpr Box kNowhere{std::numeric_limits<double>::infinity(),
-                       std::numeric_limits<double>::infinity(),
-                       -std::numeric_limits<double>::infinity(),
-                       -std::numeric_limits<double>::infinity()};
+constexpr Box kNowhere{
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
 bool is_sliver(Loop loop) {
   Box box = kNowhere;
@@ -36,7 +36,8 @@ struct Place {
 Place middle(const RegionPiece& p, Place to) {
   const Place half{(p.x + to.x) / 2, (p.y + to.y) / 2};
   if (p.radius == 0) return half;
-  // The arc rises to the right of its chord when it turns to the left, by c²/4 / (r + √(r² − c²/4)).
+  // The arc rises to the right of its chord when it turns to the left, by c²/4 / (r + √(r² −
+  // c²/4)).
   const double wx = to.x - p.x;
   const double wy = to.y - p.y;
   const double square = (wx * wx + wy * wy) / 4;

@@ -97,11 +97,12 @@ Crossings of_lines(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
   const double vv = dot(v, v);
   Crossings result;
   result.count = 1;
-  result.found[0] = {a.x + t * u.x,
-                     a.y + t * u.y,
-                     {t * uu, s * vv},
-                     {kMore * (t_rad * uu + product_rad(u, u)) , kMore * (s_rad * vv + product_rad(v, v))},
-                     b_to > 0 ? 1 : -1};
+  result.found[0] = {
+      a.x + t * u.x,
+      a.y + t * u.y,
+      {t * uu, s * vv},
+      {kMore * (t_rad * uu + product_rad(u, u)), kMore * (s_rad * vv + product_rad(v, v))},
+      b_to > 0 ? 1 : -1};
   return result;
 }
 
@@ -130,11 +131,11 @@ Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t 
   if (reach <= reach_rad) return undecided();
   const double half = std::sqrt(reach);
   const double foot = dot(u, c);
-  const double t_rad =
-      foot_rad + kMore * reach_rad / half + kRound * (std::fabs(foot) + half);
+  const double t_rad = foot_rad + kMore * reach_rad / half + kRound * (std::fabs(foot) + half);
   const double outer = t_rad + uu_rad;
   const double inverse = 1 / uu;
-  const Span base{line.x - arc.x, line.y - arc.y, static_cast<double>(line.ends_rad) + arc.ends_rad};
+  const Span base{line.x - arc.x, line.y - arc.y,
+                  static_cast<double>(line.ends_rad) + arc.ends_rad};
   Crossings result;
   for (const int way : {-1, 1}) {
     const double t = foot + way * half;
@@ -190,13 +191,13 @@ Crossings of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
   const double m = root * inverse;
   const double k_rad =
       kMore * inverse *
-          (vv_rad + (std::fabs(difference) + sum + radii_rad) * radii_rad + 2 * std::fabs(k) * vv_rad +
-           kRound * (vv + std::fabs(difference) * sum)) +
+          (vv_rad + (std::fabs(difference) + sum + radii_rad) * radii_rad +
+           2 * std::fabs(k) * vv_rad + kRound * (vv + std::fabs(difference) * sum)) +
       kRound * std::fabs(k);
   const double m_rad =
       kMore * inverse * (kMore * reach_rad / root + 2 * m * vv_rad) + 2 * kRound * m;
-  const double off_rad = kMore * ((k_rad + m_rad) * v.size +
-                                  (std::fabs(k) + m) * (v.rad + kRound * v.size));
+  const double off_rad =
+      kMore * ((k_rad + m_rad) * v.size + (std::fabs(k) + m) * (v.rad + kRound * v.size));
   const Span from_a{a.centre_x - a.x, a.centre_y - a.y,
                     static_cast<double>(a.centre_rad) + a.ends_rad};
   const Span from_b{a.centre_x - b.x, a.centre_y - b.y,
@@ -212,10 +213,10 @@ Crossings of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
     if (on_b.on_arc < 0) continue;
     if (on_a.on_arc == 0 || on_b.on_arc == 0) return undecided();
     result.found[static_cast<std::size_t>(result.count++)] = {a.centre_x + x,
-                                                             a.centre_y + y,
-                                                             {on_a.position, on_b.position},
-                                                             {on_a.rad, on_b.rad},
-                                                             way * senses};
+                                                              a.centre_y + y,
+                                                              {on_a.position, on_b.position},
+                                                              {on_a.rad, on_b.rad},
+                                                              way * senses};
   }
   return result;
 }

@@ -13,8 +13,8 @@
 /// The raw curves in doubles, as the production engine keeps them. Internal to the kernel.
 namespace dgt {
 
-/// A float not below `value` ≥ 0: one is nearest within 2⁻²⁴, and below the normal ones by less than
-/// the smallest of them.
+/// A float not below `value` ≥ 0: one is nearest within 2⁻²⁴, and below the normal ones by less
+/// than the smallest of them.
 inline float rounded_up(double value) {
   return static_cast<float>(value * (1 + 0x1p-22)) + std::numeric_limits<float>::min();
 }
@@ -25,7 +25,7 @@ struct RawStrand {
   double y = 0;
   double centre_x = 0;
   double centre_y = 0;
-  double radius = 0;  ///< not negative
+  double radius = 0;   ///< not negative
   float ends_rad = 0;  ///< errors of both ends' coordinates, of the centre's and of the radius
   float centre_rad = 0;
   float radius_rad = 0;
@@ -87,8 +87,8 @@ inline bool RawCurve::adjacent(std::uint32_t a, std::uint32_t b) const {
 }
 
 /// One strand lies to one side of the other's chord and beyond the rises. Cross products of vectors
-/// no longer than S, whose coordinates are off by e, are off by less than 4 S e and the roundings of
-/// two products and three sums of size S², 2⁻⁵⁰ S².
+/// no longer than S, whose coordinates are off by e, are off by less than 4 S e and the roundings
+/// of two products and three sums of size S², 2⁻⁵⁰ S².
 inline bool RawCurve::surely_apart(std::uint32_t i, std::uint32_t j) const {
   const RawStrand& a = strands_[i];
   const RawStrand& b = strands_[j];

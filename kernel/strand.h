@@ -49,8 +49,8 @@ Crossings<Real> undecided() {
   return result;
 }
 
-/// A place on an arc's circle, against its chord: that parts the circle, and the arc is what lies to
-/// the right of it when it turns to the left.
+/// A place on an arc's circle, against its chord: that parts the circle, and the arc is what lies
+/// to the right of it when it turns to the left.
 template <class Real>
 class OnCircle {
  public:
@@ -97,8 +97,8 @@ Crossings<Real> of_lines(const Strand<Real>& a, const Strand<Real>& b) {
   return result;
 }
 
-/// With u along the line, c from its beginning to the centre and h = u × c, the line meets the circle
-/// at (u·c ± √(r²u² − h²)) / u² of its length, entering it first.
+/// With u along the line, c from its beginning to the centre and h = u × c, the line meets the
+/// circle at (u·c ± √(r²u² − h²)) / u² of its length, entering it first.
 template <class Real>
 Crossings<Real> of_line_and_arc(const Strand<Real>& line, const Strand<Real>& arc) {
   const EnclosedVector<Real> u = line.to - line.from;
@@ -190,8 +190,7 @@ Crossings<Real> of_arcs(const Strand<Real>& a, const Strand<Real>& b) {
                 left.size() * kUp;
     if (on_arc(a, near) < 0 || on_arc(b, near) < 0) return {};
   }
-  const double distance =
-      (v.size() + 2 * v.rad + difference.size() + difference.rad) * kUp;
+  const double distance = (v.size() + 2 * v.rad + difference.size() + difference.rad) * kUp;
   if (apart_on_one_circle(a, b, distance)) return {};
   return undecided<Real>();
 }

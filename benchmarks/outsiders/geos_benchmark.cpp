@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GEOS on the shapes of offset_benchmark.cpp: arcs as chords that leave them by 1 µm at most, in the
-// input (made before the clock starts) and about corners. The time is given an element of the shape,
-// not a chord.
+// GEOS on the shapes of offset_benchmark.cpp: arcs as chords that leave them by 1 µm at most, in
+// the input (made before the clock starts) and about corners. The time is given an element of the
+// shape, not a chord.
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
 
@@ -47,23 +47,21 @@ std::vector<std::pair<double, double>> tessellated(const BulgePolyline& shape) {
 void geos(benchmark::State& state, const BulgePolyline& shape, double distance) {
   const auto ring = tessellated(shape);
   GEOSContextHandle_t handle = GEOS_init_r();
-  GEOSCoordSequence* points =
-      GEOSCoordSeq_create_r(handle, static_cast<unsigned>(ring.size()), 2);
+  GEOSCoordSequence* points = GEOSCoordSeq_create_r(handle, static_cast<unsigned>(ring.size()), 2);
   for (unsigned i = 0; i < ring.size(); ++i)
     GEOSCoordSeq_setXY_r(handle, points, i, ring[i].first, ring[i].second);
   GEOSGeometry* polygon =
       GEOSGeom_createPolygon_r(handle, GEOSGeom_createLinearRing_r(handle, points), nullptr, 0);
-  const int quarter = static_cast<int>(
-      std::ceil(std::numbers::pi / 2 / step_of(std::fabs(distance))));
+  const int quarter =
+      static_cast<int>(std::ceil(std::numbers::pi / 2 / step_of(std::fabs(distance))));
   for (auto _ : state) {
     GEOSGeometry* buffer = GEOSBuffer_r(handle, polygon, -distance, quarter);
     benchmark::DoNotOptimize(buffer);
     GEOSGeom_destroy_r(handle, buffer);
   }
-  state.counters["per_element"] =
-      benchmark::Counter(static_cast<double>(shape.size()),
-                         benchmark::Counter::kIsIterationInvariantRate |
-                             benchmark::Counter::kInvert);
+  state.counters["per_element"] = benchmark::Counter(
+      static_cast<double>(shape.size()),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   GEOSGeom_destroy_r(handle, polygon);
   GEOS_finish_r(handle);
 }

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/offset.h"
 #include "kernel/contour_legs.h"
+#include "kernel/offset.h"
 
 namespace dgt::differential {
 namespace {
@@ -78,15 +78,14 @@ Loop star(Dice& dice, double radius, int vertices, int digits) {
     const double sway = vertices < 5 ? 0.2 : 0.35;
     const double angle = 2 * std::numbers::pi * (i + dice.within(-sway, sway)) / vertices;
     const double r = radius * dice.within(0.5, 1.3);
-    loop.push_back({{decimal(r * std::cos(angle), digits), decimal(r * std::sin(angle), digits)},
-                    0});
+    loop.push_back(
+        {{decimal(r * std::cos(angle), digits), decimal(r * std::sin(angle), digits)}, 0});
   }
   static const std::array<Rational, 5> kBulges = {Rational(1), Rational(1, 2), Rational(-1, 2),
                                                   kQuarter, Rational(-1, 4)};
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (dice.one_in(2)) continue;
-    loop[i].bulge =
-        dice.one_in(3) ? dice.pick(kBulges) : decimal(dice.within(-0.5, 0.5), digits);
+    loop[i].bulge = dice.one_in(3) ? dice.pick(kBulges) : decimal(dice.within(-0.5, 0.5), digits);
     if (!turns_about_origin(loop[i], loop[(i + 1) % loop.size()])) loop[i].bulge = 0;
   }
   return loop;

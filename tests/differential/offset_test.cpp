@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The production engine against the reference on thousands of contours. DGT_DIFFERENTIAL=n tries n of
-// each family.
+// The production engine against the reference on thousands of contours. DGT_DIFFERENTIAL=n tries n
+// of each family.
+#include "kernel/offset.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +11,6 @@
 #include <cstdlib>
 #include <optional>
 
-#include "kernel/offset.h"
 #include "tests/differential/contours.h"
 
 namespace dgt::differential {
@@ -63,7 +64,8 @@ std::optional<std::string> difference(const Case& c, bool& by_reference) {
 }
 
 std::uint32_t tries() {
-  if (const char* asked = std::getenv("DGT_DIFFERENTIAL")) return static_cast<std::uint32_t>(std::atoi(asked));
+  if (const char* asked = std::getenv("DGT_DIFFERENTIAL"))
+    return static_cast<std::uint32_t>(std::atoi(asked));
 #if defined(__SANITIZE_ADDRESS__) || defined(DGT_SANITIZED)
   return 100;
 #else
@@ -110,9 +112,8 @@ std::string name_of(const testing::TestParamInfo<Family>& family) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Differential,
-                         testing::Values(Family::Star, Family::Grid, Family::Rounded,
-                                         Family::Slots, Family::Islands, Family::Minute,
-                                         Family::Offset),
+                         testing::Values(Family::Star, Family::Grid, Family::Rounded, Family::Slots,
+                                         Family::Islands, Family::Minute, Family::Offset),
                          name_of);
 
 }  // namespace
