@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of the cascade against each other. Consistency: what plain doubles decide, double-doubles
+// decide alike. Coverage: each kind of pair comes to each outcome.
+#include "kernel/quick_crossing.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/differential/contours.h"
+
+namespace dgt {
+namespace {
+
+using differential::Family;
+
+std::string kind_of(const RawStrand& a, const RawStrand& b) {
+  return std::string(a.is_line ? "line" : "arc") + "-" + (b.is_line ? "line" : "arc");
+}
+
+struct Outcomes {
+  std::map<std::string, std::map<std::string, int>> seen;
+  int apart_at_once = 0;
+
+  void take(const OffsetSource& source) {
+    const RawCurve curve(source);
+    for (std::size_t loop = 0; loop < source.loops(); ++loop) {
+      for (std::uint32_t a = curve.begin(loop); a < curve.end(loop); ++a) {
+        for (std::uint32_t b = a + 1; b < curve.end(loop); ++b)
+          if (!curve.adjacent(a, b)) compare(source, curve, a, b);
+      }
+    }
+  }
+
+ private:
+  void compare(const OffsetSource& source, const RawCurve& curve, std::uint32_t a,
+               std::uint32_t b) {
+    const quick::Crossings quick = quick::cross(curve, a, b);
+    const auto& distance = source.decisive_distance<DoubleDouble>();
+    const Crossings<DoubleDouble> fine =
+        cross(source.strand(curve[a].key, distance), source.strand(curve[b].key, distance));
+    const std::string kind = kind_of(curve[a], curve[b]);
+    ++seen[kind][quick.decided ? std::to_string(quick.count) : "open"];
+    if (!fine.decided) ++seen[kind]["open in double-doubles"];
+    if (curve.surely_apart(a, b)) {
+      ++apart_at_once;
+      EXPECT_TRUE(!fine.decided || fine.count == 0);
+      EXPECT_TRUE(!quick.decided || quick.count == 0);
+    }
+    if (!quick.decided || !fine.decided) return;
+    ASSERT_EQ(quick.count, fine.count) << kind;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(quick.count); ++i) {
+      EXPECT_EQ(quick.found[i].turn, fine.found[i].turn);
+      for (const std::size_t side : {0U, 1U}) {
+        const Enclosed<DoubleDouble>& position = fine.found[i].position[side];
+        EXPECT_LE(std::fabs((position.mid - DoubleDouble(quick.found[i].position[side])).hi),
+                  quick.found[i].position_rad[side] + position.rad);
+      }
+    }
+  }
+};
+
+OffsetSource source_of(Family family, std::uint32_t seed) {
+  const differential::Case c = differential::make(family, seed);
+  return OffsetSource(c.chains(), abs(c.distance), sgn(c.distance) < 0);
+}
+
+TEST(QuickCrossing, DecidesAsDoubleDoublesDoAndComesToEachOutcome) {
+  Outcomes outcomes;
+  for (const Family family : {Family::Star, Family::Grid, Family::Rounded, Family::Slots})
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) outcomes.take(source_of(family, seed));
+  for (const char* kind : {"line-line", "line-arc", "arc-line", "arc-arc"}) {
+    auto& seen = outcomes.seen[kind];
+    EXPECT_GT(seen["0"], 0) << kind;
+    EXPECT_GT(seen["1"], 0) << kind;
+    EXPECT_GT(seen["open"], 0) << kind;
+    if (std::string(kind) != "line-line") EXPECT_GT(seen["2"], 0) << kind;
+  }
+  EXPECT_GT(outcomes.apart_at_once, 0);
+}
+
+TEST(QuickCrossing, FamiliesMadeToBeDegenerateAreDecidedByDoubleDoubles) {
+  for (const Family family : {Family::Grid, Family::Slots}) {
+    Outcomes outcomes;
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) outcomes.take(source_of(family, seed));
+    for (auto& [kind, seen] : outcomes.seen) EXPECT_EQ(seen["open in double-doubles"], 0) << kind;
+  }
+}
+
+}  // namespace
+}  // namespace dgt
