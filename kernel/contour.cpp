@@ -102,6 +102,19 @@ void add_equidistant(const ContourLegs& legs, int side, const ContourOptions& op
 
 }  // namespace
 
+void run_legs(const ContourLegs& legs, int side, const ContourOptions& options, BuiltContour& out,
+              ToolState& state) {
+  const Shifts none(legs.steps.size());
+  Path programmed(legs, none, options, false);
+  out.programmed = programmed.run();
+  out.faults = programmed.faults;
+  out.closed = is_closed(out.programmed);
+  if (out.faults.empty() && side != 0)
+    add_equidistant(legs, side, options, programmed, out, state);
+  else if (out.faults.empty())
+    out.moves = out.programmed;
+}
+
 BuiltContour build_contour(const std::vector<ContourItem>& items, ToolState& state,
                            const ContourOptions& options) {
   BuiltContour out;
@@ -119,17 +132,7 @@ BuiltContour build_contour(const std::vector<ContourItem>& items, ToolState& sta
     out.side = of_w > 0 ? Side::Left : of_w < 0 ? Side::Right : Side::None;
   }
   state.at = legs.joints.back().programmed;
-  if (out.faults.empty()) {
-    const Shifts none(legs.steps.size());
-    Path programmed(legs, none, options, false);
-    out.programmed = programmed.run();
-    out.faults = programmed.faults;
-    out.closed = is_closed(out.programmed);
-    if (out.faults.empty() && offset)
-      add_equidistant(legs, side, options, programmed, out, state);
-    else if (out.faults.empty())
-      out.moves = out.programmed;
-  }
+  if (out.faults.empty()) run_legs(legs, offset ? side : 0, options, out, state);
   for (const Move& move : out.moves) state.moved = state.moved || move.travels();
   return out;
 }

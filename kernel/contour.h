@@ -200,4 +200,17 @@ struct BuiltContour {
 [[nodiscard]] BuiltContour build_contour(const std::vector<ContourItem>& items, ToolState& state,
                                          const ContourOptions& options);
 
+/// The equidistant of cuts that are known already, as a program for a control has them: lines, arcs
+/// and full circles that follow each other, with rational ends, and dwells and codes among them.
+///  (1) Each cut keeps its element, `distance` mm to `side` of its direction of travel, and the
+///      joints between them become what they are in a contour of elements: crossings, corners by
+///      the options, and beside their places where one goes on in the direction of the other.
+///  (2) The ends move along the normals there; cuts that end where they began are joined there as
+///      anywhere else, unless they end in the direction they came from.
+///  (3) `item` and `other` of faults and notices count into `cuts`.
+/// Precondition: something travels, distance > 0 and side is not None.
+[[nodiscard]] BuiltContour build_equidistant(const std::vector<Move>& cuts,
+                                             const Rational& distance, Side side,
+                                             const ContourOptions& options);
+
 }  // namespace dgt

@@ -197,8 +197,10 @@ bool Path::grows(const Leg& leg) const {
 void Path::emit_stop(const Leg& leg, std::vector<Move>& moves) {
   leg_of_move.push_back(static_cast<std::size_t>(&leg - legs_.legs.data()));
   Move& move = moves.emplace_back();
-  move.kind = leg.seconds ? MoveKind::Dwell : MoveKind::Code;
+  move.kind = leg.seconds ? MoveKind::Dwell : leg.z ? MoveKind::Line : MoveKind::Code;
   move.from = move.to = stands_;
+  move.z = leg.z;
+  if (leg.z) move.feed = leg.feed;
   move.seconds = leg.seconds;
   move.code = leg.code;
   move.source = leg.place;

@@ -68,6 +68,11 @@ class Path {
 /// Whether `p` lies on the stretch that `move` covers.
 [[nodiscard]] bool covers(const Move& move, const Point& p);
 
+/// The programmed contour of the legs, and from the same legs the equidistant; `side` as for
+/// shifts_for(), 0: there is none.
+void run_legs(const ContourLegs& legs, int side, const ContourOptions& options, BuiltContour& out,
+              ToolState& state);
+
 /// Looks for places where the tool cuts into the programmed contour and reports them as the options
 /// say. Precondition: both paths are without faults but overruns, which a gouge explains better and
 /// replaces.

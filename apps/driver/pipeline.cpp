@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "lang/nc/path_builder.h"
+#include "lang/nc/kerf.h"
 #include "lang/poly/toolpath.h"
 
 namespace dgt {
@@ -38,20 +38,25 @@ void compile_poly(Compilation& made) {
   if (!made.bag.has_errors()) made.result.path = toolpath_of(loops, *made.file);
 }
 
-void finish_nc(Compilation& made, NcProgram program) {
+void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& evaluate) {
+  if (!made.bag.has_errors()) {
+    ContourOptions options;
+    options.join_tolerance = evaluate.join_tolerance;
+    options.gouge = evaluate.gouge;
+    Toolpath path = with_kerf(*made.file, std::move(program), options, made.bag);
+    if (!made.bag.has_errors()) made.result.path = std::move(path);
+  }
   made.bag.sort();
-  if (made.bag.has_errors()) return;
-  program.path.contours = contours_of(program.path.moves);
-  made.result.path = std::move(program.path);
 }
 
-void compile_essi(Compilation& made, EssiOptions options, EssiDialect dialect) {
+void compile_essi(Compilation& made, const SourceSettings& settings, EssiDialect dialect) {
+  EssiOptions options = settings.essi;
   options.dialect = dialect;
-  finish_nc(made, read_essi(*made.file, options, made.bag));
+  finish_nc(made, read_essi(*made.file, options, made.bag), settings.evaluate);
 }
 
-void compile_gcode(Compilation& made, const GcodeOptions& options) {
-  finish_nc(made, read_gcode(*made.file, options, made.bag));
+void compile_gcode(Compilation& made, const SourceSettings& settings) {
+  finish_nc(made, read_gcode(*made.file, settings.gcode, made.bag), settings.evaluate);
 }
 
 }  // namespace
@@ -82,13 +87,13 @@ Compilation compile_source(const std::string& name, std::shared_ptr<const Source
       compile_dgt(made, name, settings);
       break;
     case InputLanguage::Essi:
-      compile_essi(made, settings.essi, settings.essi.dialect);
+      compile_essi(made, settings, settings.essi.dialect);
       break;
     case InputLanguage::EssiIso:
-      compile_essi(made, settings.essi, EssiDialect::Iso);
+      compile_essi(made, settings, EssiDialect::Iso);
       break;
     case InputLanguage::Gcode:
-      compile_gcode(made, settings.gcode);
+      compile_gcode(made, settings);
       break;
     case InputLanguage::Poly:
       compile_poly(made);

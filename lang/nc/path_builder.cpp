@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lang/nc/path_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -84,7 +85,31 @@ Move& PathBuilder::travel(MoveKind kind, const Spot& to, RationalPtr height,
   return move;
 }
 
-std::vector<Contour> contours_of(const std::vector<Move>& moves) {
+bool mark_leads(std::span<Move> run) {
+  std::vector<Move*> cuts;  // the ends are all that is looked at, and most runs are short
+  for (Move& move : run)
+    if (move.cuts()) cuts.push_back(&move);
+  const std::size_t count = cuts.size();
+  const auto point = [&](std::size_t k) { return k < count ? cuts[k]->from : cuts.back()->to; };
+  constexpr std::size_t kMaxLead = 2;
+  for (std::size_t leads = 0; leads <= 2 * kMaxLead; ++leads) {
+    for (std::size_t in = 0; in <= std::min(leads, kMaxLead); ++in) {
+      const std::size_t out = leads - in;
+      if (out > kMaxLead || leads >= count) continue;
+      const std::size_t end = count - out;
+      const bool is_loop = end - in > 1 || cuts[in]->full_circle;
+      if (!is_loop || !is_one_place(point(in), point(end))) continue;
+      // Out by the way it came in: that is a lead however it ends.
+      if (end - in > 2 && is_one_place(point(in + 1), point(end - 1))) continue;
+      for (std::size_t k = 0; k < in; ++k) cuts[k]->role = Role::LeadIn;
+      for (std::size_t k = end; k < count; ++k) cuts[k]->role = Role::LeadOut;
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Contour> contours_of(std::vector<Move>& moves) {
   std::vector<Contour> contours;
   std::size_t i = 0;
   while (i < moves.size()) {
@@ -98,11 +123,9 @@ std::vector<Contour> contours_of(const std::vector<Move>& moves) {
     // Dwells and codes inside belong to the contour, those behind it do not.
     for (; i < moves.size() && moves[i].kind != MoveKind::Rapid; ++i)
       if (moves[i].cuts()) contour.last = i + 1;
-    const Move& first = moves[contour.first];
-    contour.closed = is_one_place(first.from, moves[contour.last - 1].to);
-    const auto begin = moves.begin();
-    contour.programmed.assign(begin + static_cast<std::ptrdiff_t>(contour.first),
-                              begin + static_cast<std::ptrdiff_t>(contour.last));
+    const std::span<Move> run(moves.data() + contour.first, contour.last - contour.first);
+    contour.closed = mark_leads(run);
+    contour.programmed.assign(run.begin(), run.end());
     contours.push_back(std::move(contour));
   }
   return contours;

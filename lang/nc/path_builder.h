@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "kernel/circle.h"
@@ -48,8 +49,13 @@ class PathBuilder {
   RationalPtr feed_;
 };
 
-/// The runs of cuts between rapids as contours without an offset, each closed when it ends where it
-/// began.
-[[nodiscard]] std::vector<Contour> contours_of(const std::vector<Move>& moves);
+/// Gives the first and the last cuts of a run, at most two each, their roles as leads: those before
+/// and behind a loop that closes on itself. True when there is such a loop; that is the whole run
+/// when it ends where it began.
+bool mark_leads(std::span<Move> run);
+
+/// The runs of cuts between rapids as contours without an offset, with their leads marked, in the
+/// moves too.
+[[nodiscard]] std::vector<Contour> contours_of(std::vector<Move>& moves);
 
 }  // namespace dgt

@@ -14,6 +14,7 @@
 #include "lang/dgt/compile.h"
 #include "lang/essi/reader.h"
 #include "lang/gcode/reader.h"
+#include "lang/nc/kerf.h"
 #include "lang/text/render.h"
 
 namespace dgt {
@@ -66,6 +67,10 @@ EvaluateOptions options_for(const std::string& name) {
 
 bool is_iso(const std::string& name) { return name.find("_iso_") != std::string::npos; }
 
+void finish(const SourceFile& file, NcProgram program, DiagnosticBag& bag) {
+  if (!bag.has_errors()) (void)with_kerf(file, std::move(program), ContourOptions{}, bag);
+}
+
 /// Reads or compiles the program `file`, called `name` without its extension. The result holds
 /// what diagnostics point into.
 CompileResult examine(const SourceFile& file, const std::string& name, DiagnosticBag& bag) {
@@ -74,9 +79,9 @@ CompileResult examine(const SourceFile& file, const std::string& name, Diagnosti
     EssiOptions options;
     if (is_iso(name)) options.dialect = EssiDialect::Iso;
     options.nc.repair = name.find("repair") != std::string::npos;
-    (void)read_essi(file, options, bag);
+    finish(file, read_essi(file, options, bag), bag);
   } else if (extension == ".nc" || extension == ".cnc") {
-    (void)read_gcode(file, GcodeOptions{}, bag);
+    finish(file, read_gcode(file, GcodeOptions{}, bag), bag);
   } else {
     BesideLoader loader(name.find("unsaved") == std::string::npos);
     CompileResult result = compile(file, loader, options_for(name), bag);
