@@ -159,7 +159,8 @@ class CutLayout {
 BuiltContour build_equidistant(const std::vector<Move>& cuts, const Rational& distance, Side side,
                                const ContourOptions& options) {
   DGT_CHECK(sgn(distance) > 0 && side != Side::None);
-  const ContourLegs legs = CutLayout(cuts, distance).run();
+  ContourLegs legs = CutLayout(cuts, distance).run();
+  mark_corners(legs);
   BuiltContour out;
   out.offset = distance;
   out.side = side;

@@ -43,6 +43,8 @@ void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& eval
     ContourOptions options;
     options.join_tolerance = evaluate.join_tolerance;
     options.gouge = evaluate.gouge;
+    options.corner = evaluate.corner;
+    options.corner_limit = evaluate.corner_limit;
     Toolpath path = with_kerf(*made.file, std::move(program), options, made.bag);
     if (!made.bag.has_errors()) made.result.path = std::move(path);
   }

@@ -45,12 +45,18 @@ void KerfMessages::report(Message message, std::size_t move, std::vector<std::st
 
 void KerfMessages::report(const BuiltContour& built, std::size_t first) {
   for (const ContourFault& fault : built.faults) report(fault, first);
-  for (const ContourNotice& notice : built.notices) {
-    if (notice.kind != ContourNotice::Kind::Gouge) continue;
-    add(gouge(Message::GougeAllowed, first + notice.item, first + notice.other, notice.measure,
-              notice.x, notice.y),
-        first + notice.item);
-  }
+  for (const ContourNotice& notice : built.notices) report(notice, first);
+}
+
+/// Gaps that rounding in the program leaves between equidistants are no news.
+void KerfMessages::report(const ContourNotice& notice, std::size_t first) {
+  const std::size_t move = first + notice.item;
+  const bool is_gouge = notice.kind == ContourNotice::Kind::Gouge;
+  if (!is_gouge && notice.kind != ContourNotice::Kind::LongCorner) return;
+  Diagnostic told = at_place(is_gouge ? Message::GougeAllowed : Message::LongCorner, move,
+                             first + notice.other, notice.measure, notice.x, notice.y);
+  if (!is_gouge) told.notes.push_back({Message::CornerChoice, told.range, {}});
+  add(std::move(told), move);
 }
 
 void KerfMessages::report(const ContourFault& fault, std::size_t first) {
@@ -59,14 +65,15 @@ void KerfMessages::report(const ContourFault& fault, std::size_t first) {
     diagnostic.notes.push_back(
         {Message::KerfLargest, diagnostic.range, {to_short_decimal(*fault.largest_offset)}});
   }
+  if (fault.round_works) diagnostic.notes.push_back({Message::CornerChoice, diagnostic.range, {}});
   add(std::move(diagnostic), first + fault.item);
 }
 
-Diagnostic KerfMessages::gouge(Message message, std::size_t path, std::size_t wall, double depth,
-                               double x, double y) const {
+Diagnostic KerfMessages::at_place(Message message, std::size_t move, std::size_t other,
+                                  double measure, double x, double y) const {
   return {message,
-          block_of(path),
-          {text_of(path), text_of(wall), millimetres(depth), millimetres(x), millimetres(y)}};
+          block_of(move),
+          {text_of(move), text_of(other), millimetres(measure), millimetres(x), millimetres(y)}};
 }
 
 Diagnostic KerfMessages::told(const ContourFault& fault, std::size_t first) const {
@@ -75,7 +82,7 @@ Diagnostic KerfMessages::told(const ContourFault& fault, std::size_t first) cons
   const std::string text = text_of(move);
   switch (fault.kind) {
     case Fault::Gouge:
-      return gouge(Message::Gouge, move, first + fault.other, fault.measure, fault.x, fault.y);
+      return at_place(Message::Gouge, move, first + fault.other, fault.measure, fault.x, fault.y);
     case Fault::Eaten:
       if (fault.measure > 0) return {Message::Eaten, block, {text, millimetres(fault.measure)}};
       return {Message::EatenToNothing, block, {text}};

@@ -21,9 +21,11 @@ class KerfMessages {
 
  private:
   void report(const ContourFault& fault, std::size_t first);
+  void report(const ContourNotice& notice, std::size_t first);
   [[nodiscard]] Diagnostic told(const ContourFault& fault, std::size_t first) const;
-  [[nodiscard]] Diagnostic gouge(Message message, std::size_t path, std::size_t wall, double depth,
-                                 double x, double y) const;
+  /// Of two blocks, a measure and where the tool is.
+  [[nodiscard]] Diagnostic at_place(Message message, std::size_t move, std::size_t other,
+                                    double measure, double x, double y) const;
   [[nodiscard]] std::string text_of(std::size_t move) const;
   void add(Diagnostic diagnostic, std::size_t move);
 
