@@ -21,8 +21,7 @@ FileResult<Fixing> fix_file(const std::string& name, const SourceSettings& setti
   auto bytes = read_file(name);
   if (!bytes) return tl::unexpected(bytes.error());
   Fixing fixing{{}, *std::move(bytes), {}};
-  fixing.made =
-      compile_source(name, decode_source(name, fixing.bytes, settings.encoding), settings);
+  fixing.made = compile_bytes(name, fixing.bytes, settings);
   if (fixing.made.file->is_utf16() || !fixing.made.file->strays().empty()) return fixing;
   // Fewer Cyrillic letters may make the encoding look like another.
   SourceSettings same_encoding = settings;
@@ -34,8 +33,7 @@ FileResult<Fixing> fix_file(const std::string& name, const SourceSettings& setti
     Encoded encoded = encode(fixed.text, fixing.made.file->form());
     DGT_CHECK(encoded.lost.empty());  // replacements are ASCII
     fixing.bytes = std::move(encoded.bytes);
-    fixing.made = compile_source(name, decode_source(name, fixing.bytes, same_encoding.encoding),
-                                 same_encoding);
+    fixing.made = compile_bytes(name, fixing.bytes, same_encoding);
   }
   return fixing;
 }

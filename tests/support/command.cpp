@@ -2,6 +2,7 @@
 #include "tests/support/command.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,12 +48,14 @@ struct Streams {
   ::_exit(127);
 }
 
-int wait_for(pid_t child) {
+void wait_for(pid_t child, Outcome& outcome) {
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw std::runtime_error("waitpid failed");
+  rusage usage{};
+  while (::wait4(child, &status, 0, &usage) < 0) {
+    if (errno != EINTR) throw std::runtime_error("wait4 failed");
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.peak_kib = usage.ru_maxrss;
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ Outcome run_dgt(const std::vector<std::string>& arguments, const CommandOptions&
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) become(pointers(words), pointers(environment), streams, options.folder);
   Outcome outcome;
-  outcome.exit_code = wait_for(child);
+  wait_for(child, outcome);
   if (options.output_to.empty()) outcome.out = read_text(streams.out);
   outcome.err = read_text(streams.err);
   return outcome;

@@ -12,6 +12,7 @@ struct Outcome {
   int exit_code = -1;  ///< 128 + signal when killed by one
   std::string out;
   std::string err;
+  long peak_kib = 0;  ///< memory at its peak; what the calling process held at the least
 };
 
 struct CommandOptions {
