@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "kernel/check.h"
+#include "lang/nc/grid_arc.h"
 
 namespace dgt {
 namespace {
@@ -109,6 +110,17 @@ Rational root_over(const Integer& value, const Integer& unit) {
   return dyadic_root(value, unit * unit);
 }
 
+struct SquaredRadii {
+  grid::Wide first;
+  grid::Wide last;
+};
+SquaredRadii squared_radii(const Spot& chord, const Spot& centre) {
+  const grid::Vector w = grid::steps_of(chord);
+  const grid::Vector c = grid::steps_of(centre);
+  const grid::Vector e{c.x - w.x, c.y - w.y};
+  return {grid::dot(c, c), grid::dot(e, e)};
+}
+
 double in_millimetres(const Integer& squared, const Integer& unit) {
   return std::sqrt(mpz_get_d(squared.get_mpz_t())) / mpz_get_d(unit.get_mpz_t());
 }
@@ -117,6 +129,10 @@ double in_millimetres(const Integer& squared, const Integer& unit) {
 
 Circle circle_by_centre(const Spot& from, const Spot& chord, const Spot& centre,
                         bool counter_clockwise) {
+  if (from.on_grid() && chord.on_grid() && centre.on_grid()) {
+    return grid::circle_by_centre(grid::steps_of(from), grid::steps_of(chord),
+                                  grid::steps_of(centre), counter_clockwise, kArcBits);
+  }
   const WholePair whole(chord, centre);
   const WholeVector& w = whole.a;
   const WholeVector& c = whole.b;
@@ -135,6 +151,10 @@ Circle circle_by_centre(const Spot& from, const Spot& chord, const Spot& centre,
 }
 
 EndRadii end_radii(const Spot& chord, const Spot& centre) {
+  if (chord.on_grid() && centre.on_grid()) {
+    const auto [first, last] = squared_radii(chord, centre);
+    return {grid::root_in_millimetres(first), grid::root_in_millimetres(last), first == last};
+  }
   const WholePair whole(chord, centre);
   const Integer first = square(whole.b);
   const Integer last = square({whole.b.x - whole.a.x, whole.b.y - whole.a.y});
@@ -142,6 +162,10 @@ EndRadii end_radii(const Spot& chord, const Spot& centre) {
 }
 
 bool radii_differ(const Spot& chord, const Spot& centre, const Rational& tolerance) {
+  if (chord.on_grid() && centre.on_grid()) {
+    const auto [first, last] = squared_radii(chord, centre);
+    if (const auto certain = grid::roots_differ(first, last, tolerance)) return *certain;
+  }
   const WholePair whole(chord, centre);
   // |√a − √b| > t: a + b − t² > 2√(ab).
   const Rational squared = tolerance * tolerance * whole.unit * whole.unit;
@@ -153,6 +177,10 @@ bool radii_differ(const Spot& chord, const Spot& centre, const Rational& toleran
 
 int half_turns(const Spot& chord, const Spot& centre, bool counter_clockwise) {
   if (is_zero(chord)) return 1;
+  if (chord.on_grid() && centre.on_grid()) {
+    const grid::Wide turn = grid::cross(grid::steps_of(chord), grid::steps_of(centre));
+    if (turn != 0) return (turn > 0) == counter_clockwise ? -1 : 1;
+  }
   const WholePair whole(chord, centre);
   const int turn = sgn(cross(whole.a, whole.b));  // positive: the centre is on the left
   if (turn != 0) return (turn > 0) == counter_clockwise ? -1 : 1;
@@ -163,6 +191,11 @@ int half_turns(const Spot& chord, const Spot& centre, bool counter_clockwise) {
 
 Circle circle_by_radius(const Spot& from, const Spot& chord, const Length& radius, bool major,
                         bool counter_clockwise) {
+  if (chord_against_diameter(chord, radius) == 0) return half_turn(from, chord, counter_clockwise);
+  if (from.on_grid() && chord.on_grid() && radius.on_grid()) {
+    return grid::circle_by_radius(grid::steps_of(from), grid::steps_of(chord), radius.steps(),
+                                  major, counter_clockwise, kArcBits);
+  }
   const WholePair whole(chord, {radius, Length()});
   const WholeVector& w = whole.a;
   const Integer& r = whole.b.x;
@@ -178,7 +211,6 @@ Circle circle_by_radius(const Spot& from, const Spot& chord, const Length& radiu
   const Integer one = Integer(1) << kBits;
   const WholeVector centre{w.x * one - 2 * aside * w.y, w.y * one + 2 * aside * w.x};
   const Rational exact_radius = signed_radius(radius.millimetres(), counter_clockwise);
-  if (sgn(aside) == 0) return {exact_sum(from, w, 2 * whole.unit), exact_radius};
   return {dyadic_sum(from, centre, whole.unit, 2 * one), exact_radius};
 }
 
@@ -190,11 +222,19 @@ Circle half_turn(const Spot& from, const Spot& chord, bool counter_clockwise) {
 }
 
 int chord_against_diameter(const Spot& chord, const Length& radius) {
+  if (chord.on_grid() && radius.on_grid()) {
+    const grid::Vector w = grid::steps_of(chord);
+    const grid::Wide diameter = 2 * static_cast<grid::Wide>(radius.steps());
+    const grid::Wide excess = grid::dot(w, w) - diameter * diameter;
+    return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+  }
   const WholePair whole(chord, {radius, Length()});
   return sgn(Integer(square(whole.a) - 4 * whole.b.x * whole.b.x));
 }
 
 double length_of(const Spot& chord) {
+  if (chord.on_grid())
+    return grid::root_in_millimetres(grid::dot(grid::steps_of(chord), grid::steps_of(chord)));
   const WholePair whole(chord, chord);
   return in_millimetres(square(whole.a), whole.unit);
 }

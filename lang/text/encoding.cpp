@@ -85,12 +85,12 @@ void append_text(Decoded& decoded, std::string_view bytes) {
 
 void note_line_ends(TextForm& form, std::string_view text) {
   std::array<std::size_t, 3> count{};
-  for (std::size_t i = text.find_first_of("\r\n"); i < text.size();
-       i = text.find_first_of("\r\n", i)) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\n' && text[i] != '\r') continue;
     const bool both = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
     const LineEnd end = both ? LineEnd::CrLf : text[i] == '\n' ? LineEnd::Lf : LineEnd::Cr;
     ++count.at(static_cast<std::size_t>(end));
-    i += both ? 2 : 1;
+    i += both ? 1 : 0;
   }
   const auto most = std::ranges::max_element(count);
   form.line_end = static_cast<LineEnd>(most - count.begin());

@@ -13,10 +13,12 @@ namespace {
 
 std::vector<std::uint32_t> find_line_starts(std::string_view text) {
   std::vector<std::uint32_t> starts{0};
-  for (std::size_t i = text.find_first_of("\r\n"); i < text.size();
-       i = text.find_first_of("\r\n", i)) {
-    i += text.substr(i).starts_with("\r\n") ? 2 : 1;
-    if (i < text.size()) starts.push_back(static_cast<std::uint32_t>(i));
+  const std::size_t size = text.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const char c = text[i];
+    if (c != '\n' && c != '\r') continue;
+    if (c == '\r' && i + 1 < size && text[i + 1] == '\n') ++i;
+    if (i + 1 < size) starts.push_back(static_cast<std::uint32_t>(i + 1));
   }
   return starts;
 }

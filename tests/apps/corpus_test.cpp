@@ -39,12 +39,14 @@ const std::vector<Output> kOutputs = {
 fs::path folder() { return support::corpus(""); }
 fs::path golden(const std::string& file) { return folder() / "golden" / file; }
 
-/// The programs, as paths from the corpus' folder without `.bgt`, in order.
+/// The programs, as paths from the corpus' folder, `.bgt` left out, in order.
 std::vector<std::string> programs() {
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder())) {
-    if (entry.path().extension() != ".bgt") continue;
-    names.push_back(entry.path().lexically_relative(folder()).replace_extension().string());
+    fs::path name = entry.path().lexically_relative(folder());
+    if (*name.begin() == "golden") continue;
+    if (name.extension() == ".bgt") names.push_back(name.replace_extension().string());
+    if (name.extension() == ".ess" || name.extension() == ".cnc") names.push_back(name.string());
   }
   std::ranges::sort(names);
   return names;
@@ -52,7 +54,7 @@ std::vector<std::string> programs() {
 
 /// Run from the corpus' folder, so that messages name files the same way everywhere.
 Outcome run(std::vector<std::string> arguments, const std::string& program) {
-  arguments.push_back(program + ".bgt");
+  arguments.push_back(fs::path(program).has_extension() ? program : program + ".bgt");
   return support::run_dgt(arguments, {.folder = folder()});
 }
 
