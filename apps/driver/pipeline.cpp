@@ -61,6 +61,24 @@ void compile_gcode(Compilation& made, const SourceSettings& settings) {
   finish_nc(made, read_gcode(*made.file, settings.gcode, made.bag), settings.evaluate);
 }
 
+}  // namespace
+
+std::optional<InputLanguage> language_of(const std::string& name) {
+  const std::string extension = lower_extension(name);
+  if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
+  if (extension == ".poly") return InputLanguage::Poly;
+  if (extension == ".ess" || extension == ".essi") return InputLanguage::Essi;
+  static constexpr std::array<std::string_view, 5> kGcode = {".nc", ".cnc", ".gcode", ".ngc",
+                                                             ".tap"};
+  if (std::ranges::find(kGcode, extension) != kGcode.end()) return InputLanguage::Gcode;
+  return std::nullopt;
+}
+
+std::shared_ptr<const SourceFile> decode_source(const std::string& name, std::string_view bytes,
+                                                std::optional<Encoding> encoding) {
+  return std::make_shared<const SourceFile>(name == kStream ? "<stdin>" : name, bytes, encoding);
+}
+
 Compilation compile_source(const std::string& name, std::shared_ptr<const SourceFile> source,
                            const SourceSettings& settings) {
   Compilation made;
@@ -84,24 +102,6 @@ Compilation compile_source(const std::string& name, std::shared_ptr<const Source
       break;
   }
   return made;
-}
-
-}  // namespace
-
-std::optional<InputLanguage> language_of(const std::string& name) {
-  const std::string extension = lower_extension(name);
-  if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
-  if (extension == ".poly") return InputLanguage::Poly;
-  if (extension == ".ess" || extension == ".essi") return InputLanguage::Essi;
-  static constexpr std::array<std::string_view, 5> kGcode = {".nc", ".cnc", ".gcode", ".ngc",
-                                                             ".tap"};
-  if (std::ranges::find(kGcode, extension) != kGcode.end()) return InputLanguage::Gcode;
-  return std::nullopt;
-}
-
-std::shared_ptr<const SourceFile> decode_source(const std::string& name, std::string_view bytes,
-                                                std::optional<Encoding> encoding) {
-  return std::make_shared<const SourceFile>(name == kStream ? "<stdin>" : name, bytes, encoding);
 }
 
 Compilation compile_bytes(const std::string& name, std::string_view bytes,

@@ -45,6 +45,10 @@ struct Compilation {
                                                               std::string_view bytes,
                                                               std::optional<Encoding> encoding);
 
+/// Compiles a program that has been read already; macros are looked for where `name` is.
+[[nodiscard]] Compilation compile_source(const std::string& name,
+                                         std::shared_ptr<const SourceFile> source,
+                                         const SourceSettings& settings);
 /// Compiles a program of which the bytes are known already; macros are looked for where `name` is.
 [[nodiscard]] Compilation compile_bytes(const std::string& name, std::string_view bytes,
                                         const SourceSettings& settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of the cascade against each other. Consistency: what plain doubles decide, double-doubles
-// decide alike. Coverage: each kind of pair comes to each outcome.
+// The stages of the cascade against each other. Consistency: what plain doubles decide,
+// double-doubles decide alike. Coverage: each kind of pair comes to each outcome.
 #include "kernel/quick_crossing.h"
 
 #include <fmt/format.h>

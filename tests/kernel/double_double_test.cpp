@@ -71,8 +71,8 @@ Rational value(const Real& x) {
 template <class Real>
 ::testing::AssertionResult holds(const Enclosed<Real>& e, const Rational& ideal) {
   if (abs(value(e.mid) - ideal) <= Rational(e.rad)) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "off by " << Rational(value(e.mid) - ideal).get_d()
-                                       << ", radius " << e.rad;
+  return ::testing::AssertionFailure()
+         << "off by " << Rational(value(e.mid) - ideal).get_d() << ", radius " << e.rad;
 }
 
 template <class Real>
