@@ -41,8 +41,7 @@ std::string random_arcs(unsigned seed, int count) {
 }
 
 std::string written(const std::string& name, const std::string& text, const Dialect& dialect) {
-  const Compilation made =
-      compile_source(name, decode_source(name, text, std::nullopt), SourceSettings{});
+  const Compilation made = compile_bytes(name, text, SourceSettings{});
   EXPECT_TRUE(made.result.path.has_value()) << dialect.name;
   return made.result.path ? write(*made.result.path, dialect).text : "";
 }
