@@ -20,7 +20,7 @@
 namespace dgt {
 namespace {
 
-constexpr std::size_t kBytes = 1'000'000;
+constexpr std::size_t kBytes = 2'000'000;
 constexpr long kTimesTheSource = 10;
 
 /// Peak of `dgt check` on a source made of `piece(0)`, `piece(1)`, …, in KiB, over that on an empty
