@@ -95,9 +95,13 @@ void add_equidistant(const ContourLegs& legs, int side, const ContourOptions& op
     for (ContourFault& f : out.faults) f.round_works = false;
   const bool followed = std::all_of(out.faults.begin(), out.faults.end(),
                                     [](const auto& f) { return f.kind == Kind::Overrun; });
-  if (!followed) return;
-  state.at = equidistant.end();
-  check_gouges(legs, side, options, programmed, equidistant, out);
+  if (followed) {
+    state.at = equidistant.end();
+    check_gouges(legs, side, options, programmed, equidistant, out);
+  }
+  if (options.gouge != GougePolicy::Trim || out.faults.empty()) return;
+  Point end;
+  if (trim_gouges(legs, side, options, programmed, out, end)) state.at = end;
 }
 
 }  // namespace

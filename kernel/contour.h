@@ -85,7 +85,12 @@ struct ContourItem {
 
 enum class OffsetSide : std::uint8_t { Auto, Left, Right };
 /// What a tool that cuts into the contour is.
-enum class GougePolicy : std::uint8_t { Error, Warn };
+enum class GougePolicy : std::uint8_t {
+  Error,
+  Warn,
+  Trim  ///< the loops that gouge are taken out, with a notice each; an error where that is no
+        ///< answer
+};
 
 /// How the equidistant goes round a corner on whose outer side the tool runs.
 enum class CornerStyle : std::uint8_t {
@@ -149,7 +154,11 @@ struct ContourFault {
     OffElement,       ///< D from a point that is not on the line; measure: distance
     ZeroValue,        ///< a fillet or chamfer of 0
     Overrun,  ///< the ends of the arc pass each other: the tool does not fit between its neighbours
-    Gouge     ///< beside item the tool cuts into other; measure: how deep; at x, y
+    Gouge,    ///< beside item the tool cuts into other; measure: how deep; at x, y
+    TrimStart,   ///< nothing to trim to: beside item, at x, y, the tool cuts in where it begins
+    TrimBroken,  ///< trimmed, the path along item has no way on at x, y
+    TrimSplits,  ///< trimmed, a part of the work is not reached any more: beside item, at x, y
+    TrimNothing  ///< trimmed, nothing is left
   };
   Kind kind;
   std::size_t item = 0;
@@ -173,7 +182,8 @@ struct ContourNotice {
     AgainstDirection,  ///< the line `item` is cut against its direction while W ≠ 0
     LongCorner,        ///< extended, the corner of item and other lies beyond the limit; measure:
                        ///< how far from the programmed one; at x, y
-    Gouge              ///< as the fault, when gouges only warn
+    Gouge,             ///< as the fault, when gouges only warn
+    Trimmed            ///< what lies between item and other is left out; at x, y they meet
   };
   Kind kind;
   std::size_t item = 0;

@@ -108,14 +108,18 @@ ContourLegs stretch_of(const ContourLegs& legs, const ContourFault& f) {
   return part;
 }
 
+Walls walls_of(const ContourLegs& legs, const Path& programmed, const BuiltContour& out) {
+  return {cut_of(legs, out.programmed, programmed.leg_of_move), joined_gap(out)};
+}
+
 void check_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
                   const Path& programmed, const Path& equidistant, BuiltContour& out) {
   const Rational tolerance = joined_gap(out);
-  const Walls contour(cut_of(legs, out.programmed, programmed.leg_of_move), tolerance);
+  const Walls contour = walls_of(legs, programmed, out);
   const std::vector<CutPiece> path = cut_of(legs, out.moves, equidistant.leg_of_move);
   std::vector<Gouge> gouges = find_gouges(path, contour);
   if (gouges.size() > kMaxGouges) gouges.resize(kMaxGouges);
-  if (!gouges.empty() && options.gouge == GougePolicy::Error) out.faults.clear();
+  if (!gouges.empty() && options.gouge != GougePolicy::Warn) out.faults.clear();
   for (const Gouge& gouge : gouges) {
     ContourFault fault{};
     fault.kind = ContourFault::Kind::Gouge;
@@ -126,7 +130,7 @@ void check_gouges(const ContourLegs& legs, int side, const ContourOptions& optio
     fault.on_equidistant = true;
     fault.x = gouge.x;
     fault.y = gouge.y;
-    if (options.gouge == GougePolicy::Error) {
+    if (options.gouge != GougePolicy::Warn) {
       out.faults.push_back(fault);
       continue;
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/contour_legs.h"
+#include "kernel/gouge.h"
 
 namespace dgt {
 
@@ -78,6 +79,15 @@ void run_legs(const ContourLegs& legs, int side, const ContourOptions& options, 
 /// replaces.
 void check_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
                   const Path& programmed, const Path& equidistant, BuiltContour& out);
+
+/// The programmed contour as the gouge check sees it.
+[[nodiscard]] Walls walls_of(const ContourLegs& legs, const Path& programmed,
+                             const BuiltContour& out);
+
+/// Takes the loops that gouge out of the equidistant: moves, notices and `end`, where the tool
+/// ends, replace what was built. Adds a fault and returns false where that is no answer.
+[[nodiscard]] bool trim_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
+                               const Path& programmed, BuiltContour& out, Point& end);
 
 /// The part of the legs that concerns the items of a fault, with the joints between them.
 [[nodiscard]] ContourLegs stretch_of(const ContourLegs& legs, const ContourFault& fault);

@@ -127,11 +127,12 @@ void add_source_options(CLI::App& verb, SourceOptions& options) {
       ->option_text("MM")
       ->check(CLI::Validator(fault_of_length, ""))
       ->group("Source");
-  static const std::map<std::string, GougePolicy> kGouges = {{"error", GougePolicy::Error},
-                                                             {"warn", GougePolicy::Warn}};
+  static const std::map<std::string, GougePolicy> kGouges = {
+      {"error", GougePolicy::Error}, {"warn", GougePolicy::Warn}, {"trim", GougePolicy::Trim}};
   verb.add_option("--gouge", options.gouge,
-                  "What it is when the tool cuts into its own contour (default: error)")
-      ->option_text("error|warn")
+                  "What it is when the tool cuts into its own contour (default: error); trim: the "
+                  "loops that do are left out")
+      ->option_text("error|warn|trim")
       ->transform(CLI::CheckedTransformer(kGouges).description(""))
       ->group("Source");
   add_machine_options(verb, options.machine);

@@ -46,6 +46,7 @@ bool set_gouge(Settings& settings, std::string_view text) {
   GougePolicy& gouge = settings.source.evaluate.gouge;
   if (text == "error") return gouge = GougePolicy::Error, true;
   if (text == "warn") return gouge = GougePolicy::Warn, true;
+  if (text == "trim") return gouge = GougePolicy::Trim, true;
   return false;
 }
 
@@ -155,7 +156,7 @@ constexpr std::array kRules{
          [](Settings&, std::string_view text) { return find_dialect(text) != nullptr; }},
     Rule{{"offset_side", "auto|left|right"}, set_offset_side},
     Rule{{"join_tolerance", "≥ 0 mm"}, set_join_tolerance},
-    Rule{{"gouge", "error|warn"}, set_gouge},
+    Rule{{"gouge", "error|warn|trim"}, set_gouge},
     Rule{{"kerf", "0…100 mm"}, set_kerf},
     Rule{{"arc_tolerance", "0…10 mm"}, set_arc_tolerance},
     Rule{{"essi.dialect", "essi|essi-iso"}, set_essi_dialect},

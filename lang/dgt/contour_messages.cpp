@@ -93,6 +93,15 @@ class ContourReporter {
         add(std::move(spike), notice.item);
         return;
       }
+      case Notice::Trimmed: {
+        Diagnostic trimmed{
+            Message::Trimmed,
+            origin.range,
+            {origin.text(), name(notice.other), millimetres(notice.x), millimetres(notice.y)}};
+        mark_other(trimmed, notice.other);
+        add(std::move(trimmed), notice.item);
+        return;
+      }
       case Notice::Gouge:
         return;  // told together
       case Notice::AgainstDirection:
@@ -296,6 +305,9 @@ class ContourReporter {
       return Diagnostic{m, range, {name(fault.item), name(fault.other)}};
     };
     const auto plain = [&](Message m) { return Diagnostic{m, range, {}}; };
+    const auto placed = [&](Message m) {
+      return Diagnostic{m, range, {name(fault.item), millimetres(fault.x), millimetres(fault.y)}};
+    };
     switch (fault.kind) {
       case Fault::NoMeeting: {
         const Message m = fault.on_equidistant ? Message::OffsetsDoNotMeet : Message::NoMeeting;
@@ -341,6 +353,14 @@ class ContourReporter {
         return one_measured(Message::OffElement);
       case Fault::Overrun:
         return one(Message::Overrun);
+      case Fault::TrimStart:
+        return placed(Message::TrimStart);
+      case Fault::TrimBroken:
+        return placed(Message::TrimBroken);
+      case Fault::TrimSplits:
+        return placed(Message::TrimSplits);
+      case Fault::TrimNothing:
+        return {Message::TrimNothing, contour_.range, {}};
       case Fault::Gouge:  // told together
       case Fault::ZeroValue:
         break;

@@ -254,6 +254,178 @@ K1 W0.5 X10 L1 L2 L3
   EXPECT_NE(program.path().find(" corner  ; t.bgt:7:16\n"), std::string::npos) << program.path();
 }
 
+TEST(DgtMessagesOfOffsets, ALoopLeftOutIsToldWithItsPlace) {
+  EvaluateOptions options;
+  options.gouge = GougePolicy::Trim;
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=X-20
+L2=Y0
+L3=X-2
+L4=Y-8
+L5=X2
+L6=X20
+P1=X-10 Y10
+P2=X0 Y-4
+G54 X-10 Y10
+K1 W3 L1 L2 L3 L4 L-5 L2 L-6
+)",
+                      {}, options)
+          .faults(),
+      R"(t.bgt:10:10: warning: between L2 and L2 the tool does not fit; it goes over at X1 Y3, and what lies between stays uncut [DGT0522]
+K1 W3 L1 L2 L3 L4 L-5 L2 L-6
+         ^~           ~~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, ACutThatBeginsInAGougeCannotBeTrimmed) {
+  EvaluateOptions options;
+  options.gouge = GougePolicy::Trim;
+  EXPECT_EQ(CompiledProgram(R"(L1=Y0
+L2=X20
+L3=Y20
+L4=X0
+P1=X10 Y10
+G54 X10 Y10
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+)",
+                            {}, options)
+                .faults(),
+            R"(t.bgt:7:11: error: the offset eats L1, which lacks 1 mm [DGT0502]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+          ^~
+t.bgt:7:4: note: with W10 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+   ^~~
+t.bgt:7:11: error: the contour cannot be trimmed: where the cut begins, at X10 Y11 beside L1, the tool already cuts in; begin elsewhere [DGT0523]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+          ^~
+t.bgt:7:14: error: the offset eats L-2, which lacks 2 mm [DGT0502]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+             ^~~
+t.bgt:7:4: note: with W10 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+   ^~~
+t.bgt:7:18: error: the offset eats L-3, which lacks 2 mm [DGT0502]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+                 ^~~
+t.bgt:7:4: note: with W10 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+   ^~~
+t.bgt:7:22: error: the offset eats L4, which lacks 2 mm [DGT0502]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+                     ^~
+t.bgt:7:4: note: with W10 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+   ^~~
+t.bgt:7:25: error: the offset eats L1, which lacks 1 mm [DGT0502]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+                        ^~
+t.bgt:7:4: note: with W10 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W11 P1 L1 L-2 L-3 L4 L1 P1
+   ^~~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, ACircleEatenWholeLeavesNothingToTrim) {
+  EvaluateOptions options;
+  options.gouge = GougePolicy::Trim;
+  EXPECT_EQ(
+      CompiledProgram(R"(C1=X0 Y0 R2
+P1=X1 Y0
+G54 X1 Y0
+K1 W3 P1 C1 P1
+)",
+                      {}, options)
+          .faults(),
+      R"(t.bgt:4:1: error: the contour cannot be trimmed: the tool fits nowhere along it [DGT0526]
+K1 W3 P1 C1 P1
+^~
+t.bgt:4:10: error: the offset eats C1, which lacks 1 mm [DGT0502]
+K1 W3 P1 C1 P1
+         ^~
+t.bgt:4:4: note: with W1.999 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W3 P1 C1 P1
+   ^~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, AContourThatLeavesItsElementsOnTheWayCannotBeTrimmed) {
+  EvaluateOptions options;
+  options.gouge = GougePolicy::Trim;
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=X-20
+L2=Y0
+L3=X-2
+L4=Y-8
+L5=X2
+L6=X20
+P1=X-10 Y10
+P2=X0 Y-4
+G54 X-10 Y10
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+)",
+                      {}, options)
+          .faults(),
+      R"(t.bgt:10:13: error: on its way along L3 the tool cuts 2 mm deep into L-5, at X1 Y-8 [DGT0508]
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+            ^~         ~~~
+t.bgt:10:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+   ^~
+t.bgt:10:13: note: L3 takes part in more such cuts of this contour [DGT0518]
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+            ^~
+t.bgt:10:24: error: on its way along L-5 the tool cuts 2 mm deep into L2, at X-1 Y0 [DGT0508]
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+         ~~            ^~~
+t.bgt:10:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+   ^~
+t.bgt:10:28: error: the contour cannot be trimmed: beside L2, at X-2 Y-8, no way leads on [DGT0524]
+K1 W3 L1 L2 L3 Y-8 Y-8 L-5 L2 L-6
+                           ^~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, APartThatCannotBeReachedForbidsTrimming) {
+  EvaluateOptions options;
+  options.gouge = GougePolicy::Trim;
+  EXPECT_EQ(
+      CompiledProgram(R"(L1=Y2
+L2=Y-2
+C1=X0 Y0 R7
+C2=X14 Y0 R5
+C3=X-14 Y0 R5
+P1=X17 Y0
+G54 X14 Y0
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+)",
+                      {}, options)
+          .faults(),
+      R"(t.bgt:8:13: error: on its way along L-1 the tool cuts 2 mm deep into C3, at X-9.41742431 Y-1 [DGT0508]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+            ^~~ ~~
+t.bgt:8:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+   ^~
+t.bgt:8:13: note: L-1 takes part in more such cuts of this contour [DGT0518]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+            ^~~
+t.bgt:8:17: error: the contour cannot be trimmed: it falls apart, and the part beside C3, at X-12.2679492 Y-1, would stay uncut [DGT0525]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+                ^~
+t.bgt:8:20: error: on its way along L2 the tool cuts 2 mm deep into C2, at X9.41742431 Y1 [DGT0508]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+         ~~        ^~
+t.bgt:8:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+   ^~
+t.bgt:8:20: note: L2 takes part in more such cuts of this contour [DGT0518]
+K1 W3 P1 C2 L-1 C3 L2 C2 P1
+                   ^~
+)");
+}
+
 TEST(DgtMessagesOfOffsets, GougesMayBeAllowed) {
   EvaluateOptions options;
   options.gouge = GougePolicy::Warn;
