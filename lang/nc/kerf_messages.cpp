@@ -51,6 +51,14 @@ void KerfMessages::report(const BuiltContour& built, std::size_t first) {
 /// Gaps that rounding in the program leaves between equidistants are no news.
 void KerfMessages::report(const ContourNotice& notice, std::size_t first) {
   const std::size_t move = first + notice.item;
+  if (notice.kind == ContourNotice::Kind::Trimmed) {
+    add({Message::Trimmed,
+         block_of(move),
+         {text_of(move), text_of(first + notice.other), millimetres(notice.x),
+          millimetres(notice.y)}},
+        move);
+    return;
+  }
   const bool is_gouge = notice.kind == ContourNotice::Kind::Gouge;
   if (!is_gouge && notice.kind != ContourNotice::Kind::LongCorner) return;
   Diagnostic told = at_place(is_gouge ? Message::GougeAllowed : Message::LongCorner, move,
@@ -91,6 +99,14 @@ Diagnostic KerfMessages::told(const ContourFault& fault, std::size_t first) cons
       return {Message::ArcEaten, block, {text}};
     case Fault::Overrun:
       return {Message::Overrun, block, {text}};
+    case Fault::TrimStart:
+      return {Message::TrimStart, block, {text, millimetres(fault.x), millimetres(fault.y)}};
+    case Fault::TrimBroken:
+      return {Message::TrimBroken, block, {text, millimetres(fault.x), millimetres(fault.y)}};
+    case Fault::TrimSplits:
+      return {Message::TrimSplits, block, {text, millimetres(fault.x), millimetres(fault.y)}};
+    case Fault::TrimNothing:
+      return {Message::TrimNothing, block, {}};
     default:
       return {Message::KerfMisses,
               block,
