@@ -79,6 +79,7 @@ class EssiReader {
         path_(file, file.line_count()),
         is_guide_(options.dialect == EssiDialect::Guide),
         unit_(options.unit),
+        unit_width_(options.unit),
         kerf_(options.nc.kerf_width) {}
 
   NcProgram run() {
@@ -273,9 +274,8 @@ class EssiReader {
     arc.radius = length(radius.value);
     arc.major = !size.negative;
     arc.counter_clockwise = block.fields[4].negative;
-    RadiusVerdict verdict =
-        judge_radius(arc.chord, {arc.radius, unit_.millimetres(), false}, unit_.millimetres(),
-                     options_.nc, range_of(block), summary);
+    RadiusVerdict verdict = judge_radius(arc.chord, {arc.radius, unit_width_, false}, unit_width_,
+                                         options_.nc, range_of(block), summary);
     const bool is_fault = verdict.message && verdict.message->severity() == Severity::Error;
     if (verdict.message) add(*std::move(verdict.message));
     if (is_fault) return std::nullopt;
@@ -479,11 +479,13 @@ class EssiReader {
         ended_ = true;
         return true;
       case 70:
-        unit_ = Length(Rational(127, 500));  // a hundredth of an inch
+        unit_width_ = Rational(127, 500);  // a hundredth of an inch
+        unit_ = Length(unit_width_);
         feed_unit_ = Rational(127, 5);
         return true;
       case 71:
-        unit_ = Length(options_.unit);
+        unit_width_ = options_.unit;
+        unit_ = Length(unit_width_);
         feed_unit_ = 1;
         return true;
       case 81:
@@ -552,6 +554,7 @@ class EssiReader {
   std::uint64_t executed_ = 0;
 
   Length unit_;
+  Rational unit_width_;     ///< the same, mm
   Rational feed_unit_ = 1;  ///< mm/min
   Rational kerf_;           ///< mm, the whole width
   bool is_absolute_ = false;

@@ -394,10 +394,12 @@ class GcodeReader {
     Length radius = coordinate('R');
     const bool major = sgn(radius.millimetres()) < 0;
     if (major) radius = Length() - radius;
-    RadiusWord word{radius, unit_ == LengthUnit::Inch ? Rational(127, 5) : Rational(1), true};
-    const Rational unit_of_repair(1, 10);
+    static const Rational kMillimetre(1);
+    static const Rational kInch(127, 5);
+    static const Rational kUnitOfRepair(1, 10);
+    const RadiusWord word{radius, unit_ == LengthUnit::Inch ? kInch : kMillimetre, true};
     RadiusVerdict verdict =
-        judge_radius(chord, word, unit_of_repair, options_.nc, whole_block(), path_.arcs());
+        judge_radius(chord, word, kUnitOfRepair, options_.nc, whole_block(), path_.arcs());
     const bool is_fault = verdict.message && verdict.message->severity() == Severity::Error;
     if (verdict.message) bag_.add(*std::move(verdict.message));
     if (is_fault) return skip_arc(to, std::move(height));

@@ -31,7 +31,7 @@ namespace dgt {
 struct RadiusWord {
   Length radius;
   /// The number and the chord as the program counts, for messages.
-  Rational unit = 1;        ///< mm
+  const Rational& unit;     ///< mm
   bool is_lenient = false;  ///< radius_shortfall() is allowed
 };
 struct RadiusVerdict {
