@@ -29,24 +29,35 @@ class Comparison {
   TapeDifferences compare() {
     for (;;) {
       skip_equal();
-      const bool is_wanted = i_ < wanted_.rows.size();
-      const bool is_found = j_ < found_.rows.size();
-      if (!is_wanted && !is_found) return std::move(differences_);
-      if (!is_found || (is_wanted && in_step(i_ + 1, j_) && !in_step(i_ + 1, j_ + 1))) {
-        add(Kind::Missing);
-        ++i_;
-      } else if (!is_wanted || (in_step(i_, j_ + 1) && !in_step(i_ + 1, j_ + 1))) {
-        add(Kind::Extra);
-        ++j_;
-      } else {
-        add(Kind::Changed);
-        ++i_;
-        ++j_;
-      }
+      const std::size_t wanted = wanted_.rows.size() - i_;
+      const std::size_t found = found_.rows.size() - j_;
+      if (wanted == 0 && found == 0) return std::move(differences_);
+      const Shift shift = shift_here(wanted, found);
+      for (std::size_t n = 0; n < shift.missing; ++n, ++i_) add(Kind::Missing);
+      for (std::size_t n = 0; n < shift.extra; ++n, ++j_) add(Kind::Extra);
+      if (shift.missing + shift.extra > 0) continue;
+      add(Kind::Changed);
+      ++i_;
+      ++j_;
     }
   }
 
  private:
+  /// So many rows are missing, or too many; neither: one is changed.
+  struct Shift {
+    std::size_t missing = 0;
+    std::size_t extra = 0;
+  };
+  [[nodiscard]] Shift shift_here(std::size_t wanted, std::size_t found) const {
+    if (wanted == 0 || found == 0) return {wanted, found};
+    const bool is_hopeless = differences_.count > TapeDifferences::kMost;
+    if (is_hopeless || in_step(i_ + 1, j_ + 1)) return {};
+    for (std::size_t n = 1; n <= kMostShift; ++n) {
+      if (n <= wanted && in_step(i_ + n, j_)) return {n, 0};
+      if (n <= found && in_step(i_, j_ + n)) return {0, n};
+    }
+    return {};
+  }
   void skip_equal() {
     while (i_ < wanted_.rows.size() && j_ < found_.rows.size() &&
            wanted_.rows[i_] == found_.rows[j_]) {

@@ -36,10 +36,11 @@ struct TapeDifferences {
 
 /// Compares what is punched; how much blank tape lies before and behind it makes no difference.
 ///  (1) No differences only if all rows between are the same.
-///  (2) A row that is missing or there twice is told as that, not as a change of all that follow,
-///      when the kInStep rows behind it agree.
+///  (2) Up to kMostShift rows that are missing or too many are told as that, not as a change of all
+///      that follow, when the kInStep rows behind them agree.
 [[nodiscard]] TapeDifferences compare_rows(std::span<const Row> wanted, std::span<const Row> found);
 
-inline constexpr std::size_t kInStep = 8;
+inline constexpr std::size_t kInStep = 16;
+inline constexpr std::size_t kMostShift = 64;
 
 }  // namespace dgt

@@ -26,13 +26,14 @@ constexpr auto kCharacterOfRow = [] {
   return characters;
 }();
 
-constexpr auto kOddHoles = [] {
-  std::array<std::uint8_t, 256> odd{};
-  for (std::size_t row = 0; row < odd.size(); ++row) {
-    odd.at(row) = has_even_parity(static_cast<Row>(row)) ? 0 : 1;
-  }
-  return odd;
-}();
+/// 1 for an odd number of holes, in a form that compilers make vectors of.
+std::size_t odd_holes(Row row) {
+  unsigned folded = row;
+  folded ^= folded >> 4;
+  folded ^= folded >> 2;
+  folded ^= folded >> 1;
+  return folded & 1;
+}
 
 constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
 
@@ -98,7 +99,7 @@ class Decoder {
     const auto rows = std::span<const Row>(tape_.rows)
                           .subspan(made_.program_begin, made_.program_end - made_.program_begin);
     std::size_t damaged = 0;
-    for (const Row row : rows) damaged += kOddHoles[row];
+    for (const Row row : rows) damaged += odd_holes(row);
     made_.text.resize(rows.size() + damaged * (kDamaged.size() - 1));
     char* out = made_.text.data();
     std::size_t at = 0;
@@ -139,6 +140,10 @@ class Decoder {
 
   std::size_t read_special(std::span<const Row> rows, std::size_t at, char*& out) {
     const Row row = rows[at];
+    if (row == kCarriageReturn && at + 1 < rows.size() && rows[at + 1] == kLineFeed) {
+      *out++ = '\n';  // nearly always
+      return behind_line_feed(rows, at + 2);
+    }
     switch (kind_of(row)) {
       case RowKind::LineFeed:
         *out++ = '\n';

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/ioctl.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,20 +18,10 @@ namespace {
 
 using Kind = DeviceFault::Kind;
 
-constexpr std::array<std::pair<std::uint32_t, speed_t>, 14> kBauds = {{{110, B110},
-                                                                       {150, B150},
-                                                                       {300, B300},
-                                                                       {600, B600},
-                                                                       {1200, B1200},
-                                                                       {2400, B2400},
-                                                                       {4800, B4800},
-                                                                       {9600, B9600},
-                                                                       {19200, B19200},
-                                                                       {38400, B38400},
-                                                                       {57600, B57600},
-                                                                       {115200, B115200},
-                                                                       {230400, B230400},
-                                                                       {460800, B460800}}};
+/// Of kBauds, in their order.
+constexpr std::array<speed_t, kBauds.size()> kSpeeds = {B110,   B150,    B300,    B600,   B1200,
+                                                        B2400,  B4800,   B9600,   B19200, B38400,
+                                                        B57600, B115200, B230400, B460800};
 constexpr cc_t kXon = 0x11;
 constexpr cc_t kXoff = 0x13;
 /// How often a drained line is looked for: poll() does not tell.
@@ -74,41 +65,45 @@ DeviceResult<Port> Port::open(const std::string& name, PortUse use, const LineSe
   return port;
 }
 
+Port::Port(std::string name, Descriptor descriptor)
+    : name_(std::move(name)), descriptor_(std::move(descriptor)) {}
+
 Port::Port(Port&& other) noexcept
     : name_(std::move(other.name_)),
       descriptor_(std::move(other.descriptor_)),
-      before_(std::exchange(other.before_, std::nullopt)),
+      before_(std::move(other.before_)),
       keeps_output_(other.keeps_output_) {}
 
 Port::~Port() {
   if (!descriptor_.is_open() || !before_) return;
   // Closing a line that is stopped waits for half a minute, unless nothing is left to be sent.
   if (!keeps_output_) ::tcflush(descriptor_.number(), TCIOFLUSH);
-  ::tcsetattr(descriptor_.number(), TCSANOW, &*before_);
+  ::tcsetattr(descriptor_.number(), TCSANOW, before_.get());
 }
 
 bool Port::set_up(PortUse use, const LineSettings& line) {
-  const auto baud = std::ranges::find(kBauds, line.baud, [](const auto& row) { return row.first; });
+  const auto baud = std::ranges::find(kBauds, line.baud);
   if (baud == kBauds.end()) {
     errno = EINVAL;
     return false;
   }
+  const speed_t speed = kSpeeds.at(static_cast<std::size_t>(baud - kBauds.begin()));
   const int fd = descriptor_.number();
   termios before{};
   if (::tcgetattr(fd, &before) != 0) return false;
   termios wanted = raw(before, use, line.handshake);
-  if (::cfsetispeed(&wanted, baud->second) != 0 || ::cfsetospeed(&wanted, baud->second) != 0 ||
+  if (::cfsetispeed(&wanted, speed) != 0 || ::cfsetospeed(&wanted, speed) != 0 ||
       ::tcsetattr(fd, TCSANOW, &wanted) != 0) {
     return false;
   }
-  before_ = before;
+  before_ = std::make_unique<termios>(before);
   // tcsetattr() is content when it could set anything at all.
   termios now{};
   if (::tcgetattr(fd, &now) != 0) return false;
   constexpr tcflag_t kInput = IXON | IXOFF | PARMRK;
   constexpr tcflag_t kControl = CSIZE | PARENB | CRTSCTS;
   if (((now.c_iflag ^ wanted.c_iflag) & kInput) != 0 ||
-      ((now.c_cflag ^ wanted.c_cflag) & kControl) != 0 || ::cfgetospeed(&now) != baud->second) {
+      ((now.c_cflag ^ wanted.c_cflag) & kControl) != 0 || ::cfgetospeed(&now) != speed) {
     errno = ENOTSUP;
     return false;
   }

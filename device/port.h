@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <termios.h>
-
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "device/descriptor.h"
 #include "device/devices.h"
+
+struct termios;
 
 namespace dgt {
 
@@ -27,7 +27,7 @@ class Port {
   ~Port();
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] bool is_line() const { return before_.has_value(); }
+  [[nodiscard]] bool is_line() const { return before_ != nullptr; }
 
   /// How many bytes were taken within `wait`.
   [[nodiscard]] DeviceResult<std::size_t> write(std::span<const std::uint8_t> bytes, Wait wait);
@@ -45,8 +45,7 @@ class Port {
   void set_rts(bool raised);
 
  private:
-  Port(std::string name, Descriptor descriptor)
-      : name_(std::move(name)), descriptor_(std::move(descriptor)) {}
+  Port(std::string name, Descriptor descriptor);
   [[nodiscard]] bool set_up(PortUse use, const LineSettings& line);
   /// Whether the device is ready for `events` (of poll()) within `wait`.
   [[nodiscard]] DeviceResult<bool> is_ready(short events, Wait wait);
@@ -54,7 +53,7 @@ class Port {
 
   std::string name_;
   Descriptor descriptor_;
-  std::optional<termios> before_;  // of a serial line
+  std::unique_ptr<termios> before_;  // of a serial line
   bool keeps_output_ = false;
 };
 

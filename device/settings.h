@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -12,6 +13,10 @@ enum class Handshake : std::uint8_t {
   XonXoff,  ///< the punch stops the computer with DC3; DC1 starts the reader, DC3 stops it
   RtsCts    ///< the same with the lines RTS and CTS
 };
+
+/// The speeds that lines have.
+inline constexpr std::array<std::uint32_t, 14> kBauds = {
+    110, 150, 300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800};
 
 /// How a serial line is set. Always 8 bits raw without parity of the line: track 8 has it already.
 struct LineSettings {

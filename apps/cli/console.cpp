@@ -76,6 +76,10 @@ void Console::show(const DiagnosticBag& bag, const Sources& sources) const {
   }
 }
 
+std::string Console::sentence(Text text, std::initializer_list<std::string_view> arguments) const {
+  return filled(text, render_.language, arguments);
+}
+
 void Console::error(Text text, std::initializer_list<std::string_view> arguments) const {
   say(Severity::Error, text, arguments);
 }

@@ -63,6 +63,11 @@ class Console {
       : render_{language, colour}, log_(std::move(log)) {}
 
   [[nodiscard]] Language language() const { return render_.language; }
+  /// Whether nothing is printed: everything goes into a log.
+  [[nodiscard]] bool is_quiet() const { return log_ != nullptr; }
+  /// The sentence alone.
+  [[nodiscard]] std::string sentence(Text text,
+                                     std::initializer_list<std::string_view> arguments) const;
   /// `sources`: the files that the diagnostics point into.
   void show(const DiagnosticBag& bag, const Sources& sources) const;
   /// `dgt: error: …`, `dgt: note: …`

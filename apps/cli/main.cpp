@@ -70,6 +70,7 @@ void declare(CLI::App& app, Job& job) {
   add_info(app, job);
   add_plot(app, job);
   add_offset(app, job);
+  add_tape(app, job);
 }
 
 void report(const FailedRun& error, const Console& console) {

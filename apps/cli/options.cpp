@@ -80,6 +80,15 @@ void add_message_options(CLI::App& verb, MessageOptions& options) {
       ->group("Messages");
 }
 
+void add_encoding_option(CLI::App& verb, SourceOptions& options) {
+  verb.add_option(
+          "--encoding", options.encoding,
+          "Encoding of the program, its macros and definition files (default: as each looks)")
+      ->option_text(encoding_names())
+      ->transform(CLI::CheckedTransformer(encodings(), CLI::ignore_case).description(""))
+      ->group("Source");
+}
+
 void add_reading_options(CLI::App& verb, SourceOptions& options) {
   static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt},
                                                                {"essi", InputLanguage::Essi},
@@ -93,12 +102,7 @@ void add_reading_options(CLI::App& verb, SourceOptions& options) {
       ->option_text("dgt|essi|essi-iso|gcode|poly")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
-  verb.add_option(
-          "--encoding", options.encoding,
-          "Encoding of the program, its macros and definition files (default: as each looks)")
-      ->option_text(encoding_names())
-      ->transform(CLI::CheckedTransformer(encodings(), CLI::ignore_case).description(""))
-      ->group("Source");
+  add_encoding_option(verb, options);
   verb.add_flag("--repair", options.repair,
                 "In ESSI and G-code, take an arc whose radius lacks at most one unit for its chord "
                 "as half a turn, with a warning")

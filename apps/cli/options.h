@@ -45,6 +45,7 @@ struct SourceOptions {
   /// The settings with what the options say in their place.
   [[nodiscard]] SourceSettings over(SourceSettings settings) const;
 };
+void add_encoding_option(CLI::App& verb, SourceOptions& options);
 /// Only the options that say how the text is read.
 void add_reading_options(CLI::App& verb, SourceOptions& options);
 void add_source_options(CLI::App& verb, SourceOptions& options);

@@ -299,6 +299,7 @@ std::span<const SettingKey> all_settings() {
     std::vector<SettingKey> all;
     for (const Rule& rule : kRules) all.push_back(rule.key);
     all.insert(all.end(), dialect_settings().begin(), dialect_settings().end());
+    all.insert(all.end(), tape_settings().begin(), tape_settings().end());
     return all;
   }();
   return keys;
@@ -310,6 +311,12 @@ tl::expected<Settings, SettingFault> with_setting(Settings settings, const Setti
     if (rule->apply(settings, setting.value)) return settings;
     return tl::unexpected(bad_value(rule->key, setting.value));
   }
+  auto tape = with_setting(settings.tape, setting);
+  if (tape) {
+    settings.tape = *std::move(tape);
+    return settings;
+  }
+  if (tape.error().kind != SettingFault::Kind::UnknownKey) return tl::unexpected(tape.error());
   auto dialect = with_setting(settings.dialect, setting);
   if (dialect) {
     settings.dialect = *std::move(dialect);

@@ -7,19 +7,22 @@
 #include <vector>
 
 #include "apps/driver/pipeline.h"
+#include "apps/driver/tape_settings.h"
 #include "post/machine.h"
 #include "post/machine_file.h"
 
-/// All that a machine file and `--set` can change: how a program is executed and how it is written.
+/// All that a machine file and `--set` can change: how a program is executed, how it is written and
+/// how it comes onto tape.
 /// The keys stand in post/README.md.
 namespace dgt {
 
 struct Settings {
   Dialect dialect;  ///< without a name when none has been chosen; settings hold all the same
   SourceSettings source;
+  TapeSettings tape;
 };
 
-/// Every key: `dialect`, those of the execution, those of a dialect.
+/// Every key: `dialect`, those of the execution, those of a dialect, those of tape.
 [[nodiscard]] std::span<const SettingKey> all_settings();
 
 /// The settings with one changed. `dialect` is only looked at: a dialect has to be chosen before

@@ -163,6 +163,21 @@ TEST(TapeComparison, NamesTheRowThatIsLostDoubledOrChanged) {
   }
 }
 
+TEST(TapeComparison, PiecesThatAreMissingAreToldAsThose) {
+  const Tape tape = tape_of(long_program(3), support::short_format());
+  for (std::size_t length = 1; length <= kMostShift; ++length) {
+    std::vector<Row> cut(tape.rows.begin(), tape.rows.begin() + 25);
+    cut.insert(cut.end(), tape.rows.begin() + 25 + static_cast<std::ptrdiff_t>(length),
+               tape.rows.end());
+    TapeDifferences found = compare_rows(tape.rows, cut);
+    ASSERT_EQ(found.count, length);
+    ASSERT_EQ(found.rows[0].kind, RowDifference::Kind::Missing);
+    found = compare_rows(cut, tape.rows);
+    ASSERT_EQ(found.count, length);
+    ASSERT_EQ(found.rows[0].kind, RowDifference::Kind::Extra);
+  }
+}
+
 TEST(TapeComparison, BlankTapeAtTheEndsMakesNoDifference) {
   TapeFormat longer;
   longer.leader = 1000;

@@ -8,9 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
-#include <fstream>
 #include <thread>
 
 #include "device/compare.h"
@@ -19,11 +16,14 @@
 #include "device/simulator.h"
 #include "tests/device/tapes.h"
 #include "tests/support/command.h"
+#include "tests/support/simulated_devices.h"
 
 namespace dgt {
 namespace {
 
 using namespace std::chrono_literals;
+using support::AtWork;
+using support::kSimulatedSpeed;
 using support::long_program;
 using support::short_format;
 using support::tape_of;
@@ -31,63 +31,6 @@ using support::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using Kind = DeviceFault::Kind;
-
-// Fast devices, so that a test takes tenths of a second.
-constexpr std::uint32_t kSpeed = 6000;
-
-/// A simulator at work. Nothing here waits longer than its timeouts; a test that hangs all the same
-/// is ended by the alarm.
-class AtWork {
- public:
-  explicit AtWork(SimulatorSettings settings) {
-    std::signal(SIGPIPE, SIG_IGN);
-    ::alarm(60);
-    settings.reader_speed = settings.punch_speed = kSpeed;
-    settings.on_punched = [this](const std::vector<Row>& rows) {
-      punched_ = rows;
-      ++tapes_;
-    };
-    simulator_ = *Simulator::open(std::move(settings));
-    thread_ = std::thread([this] { simulator_->run([this] { return stopped_.load(); }); });
-  }
-  ~AtWork() {
-    stop();
-    ::alarm(0);
-  }
-
-  [[nodiscard]] PunchSettings punch() const {
-    PunchSettings settings;
-    settings.device = simulator_->punch_name();
-    settings.speed = kSpeed;
-    settings.timeout = 400ms;
-    return settings;
-  }
-  [[nodiscard]] ReaderSettings reader() const {
-    ReaderSettings settings;
-    settings.device = simulator_->reader_name();
-    settings.speed = kSpeed;
-    settings.timeout = 400ms;
-    return settings;
-  }
-  /// The tape that lies in the punch's tray, once the line was closed.
-  [[nodiscard]] std::vector<Row> punched() {
-    for (int i = 0; i < 500 && tapes_ == 0; ++i) std::this_thread::sleep_for(10ms);
-    stop();
-    return punched_;
-  }
-
- private:
-  void stop() {
-    stopped_ = true;
-    if (thread_.joinable()) thread_.join();
-  }
-
-  std::unique_ptr<Simulator> simulator_;
-  std::vector<Row> punched_;
-  std::atomic<int> tapes_ = 0;
-  std::atomic<bool> stopped_ = false;
-  std::thread thread_;
-};
 
 Tape long_tape() { return tape_of(long_program(60), short_format()); }
 std::size_t middle() { return long_tape().rows.size() / 2; }
@@ -232,7 +175,7 @@ TEST(ReaderFaults, ASlowDriveIsNamed) {
   const TapeReading made = read_from(at_work.reader());
   ASSERT_TRUE(made.fault);
   EXPECT_EQ(made.fault->kind, Kind::Slow);
-  EXPECT_NEAR(made.fault->rate, kSpeed * kSlowedDown, kSpeed * kSlowedDown / 2);
+  EXPECT_NEAR(made.fault->rate, kSimulatedSpeed * kSlowedDown, kSimulatedSpeed * kSlowedDown / 2);
   EXPECT_GE(made.tape.rows.size(), middle());
 }
 
@@ -378,7 +321,7 @@ TEST(CharacterDevices, APipeCarriesATapeBothWays) {
   std::thread reading([&] { made = read_from(reader); });
   PunchSettings punch;
   punch.device = pipe;
-  punch.speed = kSpeed;
+  punch.speed = kSimulatedSpeed;
   // A pipe can be opened to write when its reader is there.
   auto opened = open_punch(punch);
   for (int i = 0; i < 100 && !opened; ++i) {
