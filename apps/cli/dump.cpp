@@ -15,13 +15,19 @@ struct DumpOptions {
 };
 
 ExitCode run(const DumpOptions& options, const Console& console) {
+  const bool stages = options.tokens || options.ast || options.elements;
+  const std::string& file = options.request.file;
+  if (stages && language_for(file, options.request.source) != InputLanguage::Dgt) {
+    console.error(Text::DgtOnly, {file});
+    return ExitCode::WrongUsage;
+  }
   const auto made = load(options.request.file, options.request.source, console);
   if (!made) return made.error();
   std::string text;
   if (options.tokens) text += language::print_words(*made->file);
   if (options.ast) text += language::print_syntax(*made->file);
   if (options.elements) text += language::print_elements(made->result.elements);
-  if (!options.tokens && !options.ast && !options.elements) text = to_text(*made->result.path);
+  if (!stages) text = to_text(*made->result.path);
   return write_result(options.request.output, text, console);
 }
 
@@ -33,7 +39,7 @@ void add_dump(CLI::App& app, Job& job) {
       app, job, "dump", "The internal form of a program",
       "Prints the tool path in its internal form, one line a move: number, kind, where it ends, "
       "what it is part of, and its place in the source. With --tokens, --ast or --elements it "
-      "prints these stages of the work instead, in this order.");
+      "prints these stages of the work on a DGT program instead, in this order.");
   add_request(*verb, options->request, "File for the text");
   verb->add_flag("--tokens", options->tokens, "The words of each line as they were read");
   verb->add_flag("--ast", options->ast, "The statements");

@@ -66,6 +66,14 @@ TEST(Convert, TheStarIsTheSameInGcode) {
   EXPECT_THAT(outcome.out, HasSubstr("M08\nM02\n"));
 }
 
+TEST(Convert, NcProgramsHaveNoWordsOrElementsOfDgt) {
+  const std::string star = support::corpus("essi/star.ess");
+  EXPECT_EQ(support::run_dgt({"dump", star}).exit_code, 0);
+  const auto outcome = support::run_dgt({"dump", "--tokens", star});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("is no DGT source"));
+}
+
 TEST(Convert, WithoutADialectIsWrongUsage) {
   EXPECT_EQ(support::run_dgt({"convert", support::corpus("essi/star.ess")}).exit_code, 2);
 }
