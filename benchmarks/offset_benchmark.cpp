@@ -40,7 +40,7 @@ void production(benchmark::State& state, const BulgePolyline& shape, const char*
   const std::vector<BulgePolyline> loops = {shape};
   const Rational d = parse_decimal(distance).value();
   OffsetCounts counts;
-  for (auto _ : state) benchmark::DoNotOptimize(production_offset(loops, d, &counts).loops());
+  for (auto _ : state) benchmark::DoNotOptimize(production_offset(loops, d, {}, &counts).loops());
   report(state, shape.size(), counts);
   if (part == Part::Ordinary &&
       static_cast<double>(counts.exact) > kExactShare * static_cast<double>(counts.decisions))

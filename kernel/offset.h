@@ -37,16 +37,31 @@ struct OffsetLoop {
 /// their rational stand-ins, and left out. Unit: mm.
 inline constexpr double kOffsetResolution = 1e-9;
 
+/// What lies about a corner of the contour on its outer side, where the equidistants of its edges
+/// part. On its inner side they meet.
+enum class OffsetCorner : std::uint8_t {
+  Round,    ///< the arc about the corner: all places exactly at the distance
+  Sharp,    ///< the equidistants themselves, lines and circles, prolonged until they meet
+  Chamfer,  ///< the tangents at their ends, cut by the line that touches the arc at its middle
+};
+
+struct OffsetOptions {
+  OffsetCorner corner = OffsetCorner::Round;
+  /// A sharp corner farther from the contour's than this many distances, and one whose prolonged
+  /// equidistants do not meet ahead, is round.
+  double spike_limit = 4;
+};
+
 /// The reference engine: the raw curves as an exact arrangement, faces labelled by winding number,
 /// the boundary read off the faces. Simple and slow: some 100 µs an edge.
-///  (1) `distance` > 0 shrinks the region left of the loops, < 0 grows it; convex corners are
-///  round. (2) Every place of the region is at least |distance| away from the loops, and every
-///  place left of
-///      them that is so belongs to it.
+///  (1) `distance` > 0 shrinks the region left of the loops, < 0 grows it.
+///  (2) Every place of the region is at least |distance| away from the loops, and with round corners
+///      every place left of them that is so belongs to it.
 ///  (3) Outer loops run counter-clockwise, holes clockwise: the region lies to the left.
 /// Precondition (checked): the loops are closed; they may touch but not cross.
 [[nodiscard]] std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
-                                                       const Rational& distance);
+                                                       const Rational& distance,
+                                                       const OffsetOptions& options = {});
 
 /// A vertex of a closed polyline in doubles, with the bulge of the edge to the next one (chain.h).
 /// What it means is exact: the doubles are the numbers meant.
@@ -69,14 +84,17 @@ struct OffsetCounts {
 
 class OffsetSource;
 
-/// A piece of a raw curve: an edge, moved, or the corner behind it.
+/// A piece of a raw curve: an edge, moved, or one of up to three parts of the corner behind it.
 class RawKey {
  public:
-  RawKey() = default;
-  RawKey(std::uint32_t edge, bool corner) : packed_(2 * edge + (corner ? 1 : 0)) {}
+  static constexpr std::uint32_t kMaxEdges = 1U << 30U;
 
-  [[nodiscard]] std::uint32_t edge() const { return packed_ / 2; }
-  [[nodiscard]] bool corner() const { return packed_ % 2 != 0; }
+  RawKey() = default;
+  /// Part 0 is the edge.
+  RawKey(std::uint32_t edge, std::uint32_t part) : packed_(4 * edge + part) {}
+
+  [[nodiscard]] std::uint32_t edge() const { return packed_ / 4; }
+  [[nodiscard]] std::uint32_t part() const { return packed_ % 4; }
 
   friend bool operator==(RawKey, RawKey) = default;
 
@@ -112,6 +130,7 @@ class OffsetRegion {
  private:
   friend class OffsetEngine;
   void drop(const std::vector<bool>& which);
+  [[nodiscard]] Circle circle_of(RawKey on) const;
 
   std::shared_ptr<const OffsetSource> source_;
   std::vector<OffsetLoop> exact_;  ///< when there is no source
@@ -125,9 +144,11 @@ class OffsetRegion {
 /// whole input to the reference engine. Same loops as reference_offset.
 [[nodiscard]] OffsetRegion production_offset(const std::vector<BulgePolyline>& loops,
                                              const Rational& distance,
+                                             const OffsetOptions& options = {},
                                              OffsetCounts* counts = nullptr);
 [[nodiscard]] std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops,
                                                         const Rational& distance,
+                                                        const OffsetOptions& options = {},
                                                         OffsetCounts* counts = nullptr);
 
 /// mm², counter-clockwise positive, and mm; within a few units in the last place of the

@@ -467,17 +467,18 @@ namespace {
 
 OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source, OffsetCounts& counts) {
   counts.exact = counts.decisions;
-  return OffsetRegion::of(reference_offset(source->exact_loops(), source->distance()));
+  return OffsetRegion::of(reference_offset(source->exact_loops(), source->distance(), source->options()));
 }
 
 template <class Loops>
-OffsetRegion region_of(const Loops& loops, const Rational& distance, OffsetCounts& counts) {
+OffsetRegion region_of(const Loops& loops, const Rational& distance, const OffsetOptions& options,
+                       OffsetCounts& counts) {
   counts = {};
   if (loops.empty()) return {};
   const bool grows = sgn(distance) < 0;  // growing the region is shrinking what lies beyond it
-  const auto source = std::make_shared<const OffsetSource>(loops, abs(distance), grows);
+  const auto source = std::make_shared<const OffsetSource>(loops, abs(distance), grows, options);
   std::optional<OffsetRegion> found;
-  if (sgn(distance) != 0 && source->suits_doubles()) found = OffsetEngine(source, counts).run();
+  if (sgn(distance) != 0 && source->edges() < RawKey::kMaxEdges && source->suits_doubles()) found = OffsetEngine(source, counts).run();
   OffsetRegion region = found ? *std::move(found) : by_reference(source, counts);
   if (grows) region.reverse();
   return region;
@@ -486,15 +487,15 @@ OffsetRegion region_of(const Loops& loops, const Rational& distance, OffsetCount
 }  // namespace
 
 OffsetRegion production_offset(const std::vector<BulgePolyline>& loops, const Rational& distance,
-                               OffsetCounts* counts) {
+                               const OffsetOptions& options, OffsetCounts* counts) {
   OffsetCounts ignored;
-  return region_of(loops, distance, counts ? *counts : ignored);
+  return region_of(loops, distance, options, counts ? *counts : ignored);
 }
 
 std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops, const Rational& distance,
-                                          OffsetCounts* counts) {
+                                          const OffsetOptions& options, OffsetCounts* counts) {
   OffsetCounts ignored;
-  return region_of(loops, distance, counts ? *counts : ignored).exact();
+  return region_of(loops, distance, options, counts ? *counts : ignored).exact();
 }
 
 }  // namespace dgt

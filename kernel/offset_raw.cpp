@@ -6,11 +6,15 @@
 #include <numbers>
 
 #include "kernel/box_tree.h"
+#include "kernel/cgal/raw_crossing.h"
 #include "kernel/check.h"
 #include "kernel/contour_legs.h"
 
 namespace dgt {
 namespace {
+
+/// Cosine of the turn beyond which a corner has no chamfer: the edge all but doubles back.
+const Rational kNearlyBack(-999999, 1000000);
 
 RationalPoint moved(const RationalPoint& p, const UnitVector& normal, const Rational& distance) {
   return p + distance * normal.vector();
@@ -68,7 +72,12 @@ bool may_have_voids(const std::vector<Chain>& loops, const Rational& distance) {
 
 bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
   if (a.is_line != b.is_line) return false;
-  if (!a.is_line) return a.centre == b.centre && a.radius == b.radius;
+  if (!a.is_line) {
+    // Prolonged arcs are stand-ins for those that they go on from.
+    static const Rational kReach = power_of_two(kContactExponent);
+    return abs(a.centre.x - b.centre.x) <= kReach && abs(a.centre.y - b.centre.y) <= kReach &&
+           abs(a.radius - b.radius) <= kReach;
+  }
   // Lines of one edge are cut at one-root points only: their directions agree to rounding.
   const auto direction = [](const OffsetPiece& p) {
     return std::pair(p.to.x() - p.from.x(), p.to.y() - p.from.y());
@@ -120,21 +129,100 @@ void merge_pieces(OffsetLoop& loop) {
   pieces = std::move(merged);
 }
 
+RawPiece segment_between(const RationalPoint& from, const RationalPoint& to) {
+  RawPiece piece;
+  piece.from = from;
+  piece.to = to;
+  return piece;
+}
+
+/// The tangents at the ends of the corner's arc, and between them the one at its middle. A line that
+/// touches the unit circle in m meets that in n at (m + n)/(1 + m·n).
+std::vector<RawPiece> chamfer(const ChainEdge& edge, const ChainEdge& next,
+                              const Rational& distance) {
+  const Vector n = edge.end.vector();
+  const Vector k = next.start.vector();
+  if (dot(n, k) < kNearlyBack) return {};
+  const Vector m = direction_of(n + k).unit.vector();
+  const RationalPoint begin = edge.to + (distance / (1 + dot(n, m))) * (n + m);
+  const RationalPoint end = edge.to + (distance / (1 + dot(m, k))) * (m + k);
+  return {segment_between(moved(edge.to, edge.end, distance), begin), segment_between(begin, end),
+          segment_between(end, moved(edge.to, next.start, distance))};
+}
+
+Spot spot(const RationalPoint& p) { return {p.x.get_d(), p.y.get_d()}; }
+
+/// From `end` of an edge, moved, with its normal there, to a place on its support: along the line, or
+/// along the arc through both that has this normal (chain.h): the edge's own circle but for what
+/// the place is off by.
+RawPiece prolonged(const ChainEdge& edge, const RationalPoint& end, const UnitVector& normal,
+                   const RationalPoint& to) {
+  RawPiece piece = segment_between(end, to);
+  if (edge.is_line()) return piece;
+  const Vector w = to - end;
+  const Rational radius = squared_length(w) / (2 * dot(w, normal.vector()));
+  piece.is_line = false;
+  piece.centre = end + radius * normal.vector();
+  piece.squared_radius = radius * radius;
+  piece.counter_clockwise = sgn(edge.radius) > 0;
+  return piece;
+}
+
+/// Nothing when the equidistants do not meet ahead, or too far away. Arcs that the offset turned
+/// inside out are not prolonged.
+std::vector<RawPiece> sharp_corner(const ChainEdge& edge, const ChainEdge& next,
+                                   const Rational& distance, double limit) {
+  const auto inside_out = [&](const ChainEdge& e) {
+    return sgn(e.radius) > 0 && e.radius <= distance;
+  };
+  if (inside_out(edge) || inside_out(next)) return {};
+  const RawPiece before = raw_edge(edge, distance).value();
+  const RawPiece behind = raw_edge(next, distance).value();
+  const Spot corner = spot(edge.to);
+  const auto far = [&](const ExactPoint& p) {
+    return std::hypot(nearest_double(p.x) - corner.x, nearest_double(p.y) - corner.y);
+  };
+  const auto places = cgal::support_crossings(before, behind);
+  if (places.empty()) return {};
+  const ExactPoint& exact = *std::ranges::min_element(places, {}, far);
+  // A short arc is known worse than its ends by the square of how often it goes into its radius.
+  constexpr int kFiner = -(kStandInBits + 64);
+  const RationalPoint at{rational_within(exact.x, kFiner), rational_within(exact.y, kFiner)};
+  if (!is_ahead(spot(at), spot(before.to), spot(turned_right(edge.end.vector())),
+                spot(behind.from), spot(turned_right(next.start.vector())), corner,
+                limit * distance.get_d()))
+    return {};
+  RawPiece last = prolonged(next, behind.from, next.start, at);
+  std::swap(last.from, last.to);
+  return {prolonged(edge, before.to, edge.end, at), last};
+}
+
 }  // namespace
 
-std::optional<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
-                                   const Rational& distance) {
-  if (edge.end == next.start) return std::nullopt;
+bool is_ahead(Spot at, Spot from, Spot before, Spot to, Spot behind, Spot corner, double limit) {
+  constexpr double kRoom = 1 + 1e-12;
+  return (at.x - from.x) * before.x + (at.y - from.y) * before.y > 0 &&
+         (to.x - at.x) * behind.x + (to.y - at.y) * behind.y > 0 &&
+         std::hypot(at.x - corner.x, at.y - corner.y) <= limit * kRoom;
+}
+
+std::vector<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
+                                 const Rational& distance, const OffsetOptions& options) {
+  if (edge.end == next.start) return {};
+  const bool left = sgn(cross(edge.end.vector(), next.start.vector())) > 0;
+  std::vector<RawPiece> parts;
+  if (!left && options.corner == OffsetCorner::Sharp)
+    parts = sharp_corner(edge, next, distance, options.spike_limit);
+  if (!left && options.corner == OffsetCorner::Chamfer) parts = chamfer(edge, next, distance);
+  if (!parts.empty()) return parts;
   RawPiece piece;
   piece.from = moved(edge.to, edge.end, distance);
   piece.to = moved(edge.to, next.start, distance);
   piece.is_line = false;
   piece.centre = edge.to;
   piece.squared_radius = distance * distance;
-  // The short way; an edge that doubles back on itself turns to the left, where its own material is
-  // not.
-  piece.counter_clockwise = sgn(cross(edge.end.vector(), next.start.vector())) >= 0;
-  return piece;
+  piece.counter_clockwise = left;
+  return {piece};
 }
 
 std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance) {
@@ -153,19 +241,18 @@ std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance
   return piece;
 }
 
-std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops, const Rational& distance) {
+std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops, const Rational& distance,
+                                const OffsetOptions& options) {
   std::vector<RawPiece> raw;
-  const auto add = [&](std::optional<RawPiece> piece) {
-    if (piece) raw.push_back(*std::move(piece));
-  };
   for (const Chain& loop : loops) {
     DGT_CHECK(loop.closed && !loop.edges.empty());
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
       const ChainEdge& edge = loop.edges[i];
       const ChainEdge& next = loop.edges[(i + 1) % loop.edges.size()];
       DGT_CHECK(edge.to == next.from);
-      add(raw_edge(edge, distance));
-      add(raw_corner(edge, next, distance));
+      if (auto piece = raw_edge(edge, distance)) raw.push_back(*std::move(piece));
+      for (RawPiece& part : raw_corner(edge, next, distance, options))
+        raw.push_back(std::move(part));
     }
   }
   return raw;

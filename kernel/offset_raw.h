@@ -22,13 +22,26 @@ struct RawPiece {
 
 /// `edge` moved to the left; nothing for an arc shrunk to its centre.
 [[nodiscard]] std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance);
-/// The arc about the end of `edge` that turns its normal into that of `next`; nothing at a tangent
-/// joint.
-[[nodiscard]] std::optional<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
-                                                 const Rational& distance);
+/// What turns the normal at the end of `edge` into that of `next`; nothing at a tangent joint. The
+/// short way about the corner, or where this is on its outer side, as the options say. An edge that
+/// doubles back on itself turns to the right: its end is kept away from on all sides.
+[[nodiscard]] std::vector<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
+                                               const Rational& distance,
+                                               const OffsetOptions& options);
 /// The raw curves of all loops, one after the other.
 [[nodiscard]] std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops,
-                                              const Rational& distance);
+                                              const Rational& distance,
+                                              const OffsetOptions& options);
+
+struct Spot {
+  double x = 0;
+  double y = 0;
+};
+/// Whether two equidistants that end in `from` with the heading `before`, and begin in `to` with
+/// `behind`, meet in `at` when they are prolonged, not too far from the corner. Both engines ask
+/// this of the same doubles but for their last bits; the limit has room for those.
+[[nodiscard]] bool is_ahead(Spot at, Spot from, Spot before, Spot to, Spot behind, Spot corner,
+                            double limit);
 
 /// The winding number of the region left of the loops: 1 inside an outermost counter-clockwise
 /// loop, 0 where the region reaches to infinity.

@@ -5,13 +5,14 @@
 
 namespace dgt {
 std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
-                                         const Rational& distance) {
+                                         const Rational& distance,
+                                         const OffsetOptions& options) {
   if (loops.empty()) return {};
   const bool grows = sgn(distance) < 0;  // growing the region is shrinking what lies beyond it
   const std::vector<Chain> shrunk = grows ? reversed(loops) : loops;
   const Rational by = abs(distance);
   std::vector<OffsetLoop> result =
-      cgal::faces_with_winding_number(raw_curve(shrunk, by), number_of_region(shrunk));
+      cgal::faces_with_winding_number(raw_curve(shrunk, by, options), number_of_region(shrunk));
   drop_void_loops(result, shrunk, by);
   if (grows) reverse_loops(result);
   for (OffsetLoop& loop : result) tidy(loop);

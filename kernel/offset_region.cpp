@@ -120,6 +120,18 @@ void OffsetRegion::drop(const std::vector<bool>& which) {
   first_ = std::move(first);
 }
 
+/// The circle of a raw piece that is an arc, run counter-clockwise: about a corner, or of an edge and
+/// of what a sharp corner prolongs it by.
+Circle OffsetRegion::circle_of(RawKey on) const {
+  const Rational& distance = source_->distance();
+  const ChainEdge edge = source_->exact_edge(on.edge());
+  const bool round =
+      on.part() > 0 && source_->corner_parts(on.edge(), source_->fine_distance()).empty();
+  if (round) return Circle(edge.to, distance);
+  const ChainEdge& own = on.part() == 2 ? source_->exact_edge(source_->next(on.edge())) : edge;
+  return Circle(own.centre(), abs(own.radius - distance));
+}
+
 std::vector<OffsetLoop> OffsetRegion::exact() const {
   if (!source_) return exact_;
   std::vector<OffsetLoop> result;
@@ -130,11 +142,9 @@ std::vector<OffsetLoop> OffsetRegion::exact() const {
       p.from = Vertex(source_, piece).point();
       p.is_line = piece.radius == 0;
       if (p.is_line) continue;
-      const ChainEdge edge = source_->exact_edge(piece.on.edge());
-      p.centre = piece.on.corner() ? edge.to : edge.centre();
-      p.radius = piece.on.corner() ? source_->distance()
-                                   : Rational(abs(edge.radius - source_->distance()));
-      if (piece.radius < 0) p.radius = -p.radius;
+      const Circle circle = circle_of(piece.on);
+      p.centre = circle.centre();
+      p.radius = piece.radius < 0 ? Rational(-circle.radius()) : circle.radius();
     }
     for (std::size_t k = 0; k < exact.pieces.size(); ++k)
       exact.pieces[k].to = exact.pieces[(k + 1) % exact.pieces.size()].from;

@@ -162,6 +162,62 @@ EdgeInDoubles reversed(const EdgeInDoubles& e, double x, double y) {
 
 RationalPoint exact(const BulgePoint& p) { return {Rational(p.x), Rational(p.y)}; }
 
+using Fine = DoubleDouble;
+
+Strand<Fine> segment_between(const EnclosedVector<Fine>& from, const EnclosedVector<Fine>& to) {
+  Strand<Fine> s;
+  s.from = from;
+  s.to = to;
+  return s;
+}
+
+/// As in offset_raw.cpp.
+std::vector<Strand<Fine>> chamfer(const EnclosedEdge<Fine>& e, const EnclosedEdge<Fine>& next,
+                                  const Enclosed<Fine>& d) {
+  const Enclosed<Fine> cosine = dot(e.end, next.start);
+  if (cosine.mid.hi < -0.999999) return {};
+  const EnclosedVector<Fine> sum = e.end + next.start;
+  const Enclosed<Fine> one{1.0, 0};
+  EnclosedVector<Fine> m = (one / root(dot(sum, sum))) * sum;
+  m.rad += kStandIn;
+  const auto touch = [&](const EnclosedVector<Fine>& n) {
+    return e.to + (d / (one + dot(n, m))) * (n + m);
+  };
+  const auto begin = touch(e.end);
+  const auto end = touch(next.start);
+  return {segment_between(e.to + d * e.end, begin), segment_between(begin, end),
+          segment_between(end, e.to + d * next.start)};
+}
+
+Spot spot(const EnclosedVector<Fine>& v) { return {v.x.hi, v.y.hi}; }
+
+std::vector<Strand<Fine>> sharp_corner(const EnclosedEdge<Fine>& e, const EnclosedEdge<Fine>& next,
+                                       const Enclosed<Fine>& d, double limit) {
+  const auto inside_out = [&](const EnclosedEdge<Fine>& edge) {
+    return edge.radius.mid.hi > 0 && (edge.radius - d).sign() <= 0;
+  };
+  if (inside_out(e) || inside_out(next)) return {};
+  Strand<Fine> before = moved(e, e.start, d);
+  Strand<Fine> behind = moved(next, next.start, d);
+  const Spot corner = spot(e.to);
+  const EnclosedVector<Fine>* nearest = nullptr;
+  const auto far = [&](const EnclosedVector<Fine>& p) {
+    return std::hypot(p.x.hi - corner.x, p.y.hi - corner.y);
+  };
+  const auto places = crossing::of_supports(before, behind);
+  for (const EnclosedVector<Fine>& p : places)
+    if (!nearest || far(p) < far(*nearest)) nearest = &p;
+  if (!nearest || !is_ahead(spot(*nearest), spot(before.to), spot(-turned_left(e.end)),
+                            spot(behind.from), spot(-turned_left(next.start)), corner,
+                            limit * d.mid.hi))
+    return {};
+  before.from = before.to;
+  before.to = *nearest;
+  behind.to = behind.from;
+  behind.from = *nearest;
+  return {before, behind};
+}
+
 /// Polylines that doubles can follow: no arc above half a turn, nothing huge or of no length.
 bool suit_doubles(const std::vector<BulgePolyline>& loops) {
   return std::ranges::all_of(loops, [](const BulgePolyline& loop) {
@@ -192,10 +248,10 @@ std::vector<Chain> chains_of(const std::vector<BulgePolyline>& loops) {
 }  // namespace
 
 OffsetSource::OffsetSource(const std::vector<BulgePolyline>& loops, Rational distance,
-                           bool reversed)
-    : distance_(std::move(distance)), reversed_(reversed) {
+                           bool reversed, const OffsetOptions& options)
+    : distance_(std::move(distance)), options_(options), reversed_(reversed) {
   if (!suit_doubles(loops)) {
-    *this = OffsetSource(chains_of(loops), distance_, reversed);
+    *this = OffsetSource(chains_of(loops), distance_, reversed, options);
     return;
   }
   first_.push_back(0);
@@ -206,8 +262,9 @@ OffsetSource::OffsetSource(const std::vector<BulgePolyline>& loops, Rational dis
   set_distance();
 }
 
-OffsetSource::OffsetSource(const std::vector<Chain>& loops, Rational distance, bool reversed)
-    : distance_(std::move(distance)), reversed_(reversed) {
+OffsetSource::OffsetSource(const std::vector<Chain>& loops, Rational distance, bool reversed,
+                           const OffsetOptions& options)
+    : distance_(std::move(distance)), options_(options), reversed_(reversed) {
   first_.push_back(0);
   for (const Chain& loop : loops) {
     DGT_CHECK(loop.closed && !loop.edges.empty());
@@ -324,7 +381,7 @@ std::vector<Chain> OffsetSource::exact_loops() const {
 
 Joint OffsetSource::sharp_joint(std::uint32_t i) const {
   const Rational turn = cross(exact_edge(i).end.vector(), exact_edge(next(i)).start.vector());
-  return sgn(turn) >= 0 ? Joint::Left : Joint::Right;
+  return sgn(turn) > 0 ? Joint::Left : Joint::Right;
 }
 
 bool OffsetSource::turns_by_rounding(std::uint32_t i, double turn) const {
@@ -341,9 +398,23 @@ Joint OffsetSource::joint(std::uint32_t i) const {
   return joint(i, in_doubles(i), in_doubles(next(i)));
 }
 
+std::vector<Strand<DoubleDouble>> OffsetSource::corner_parts(
+    std::uint32_t i, const Enclosed<DoubleDouble>& d) const {
+  if (options_.corner == OffsetCorner::Round || joint(i) != Joint::Right) return {};
+  const auto e = edge(i);
+  const auto behind = edge(next(i));
+  return options_.corner == OffsetCorner::Chamfer
+             ? chamfer(e, behind, d)
+             : sharp_corner(e, behind, d, options_.spike_limit);
+}
+
 Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDouble>& d) const {
   const auto e = edge(key.edge());
-  if (key.corner()) return corner(e, edge(next(key.edge())), joint(key.edge()), d);
+  if (key.part() > 0) {
+    const auto parts = corner_parts(key.edge(), d);
+    if (!parts.empty()) return parts[key.part() - 1];
+    return corner(e, edge(next(key.edge())), joint(key.edge()), d);
+  }
   const std::uint32_t before = previous(key.edge());
   const bool tangent = joint(before) == Joint::Tangent;
   Strand<DoubleDouble> s = moved(e, tangent ? edge(before).end : e.start, d);
@@ -353,13 +424,13 @@ Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDoubl
 
 RawPiece OffsetSource::exact_piece(RawKey key, const Rational& distance) const {
   const ChainEdge e = exact_edge(key.edge());
-  return key.corner() ? raw_corner(e, exact_edge(next(key.edge())), distance).value()
-                      : raw_edge(e, distance).value();
+  if (key.part() == 0) return raw_edge(e, distance).value();
+  return raw_corner(e, exact_edge(next(key.edge())), distance, options_).at(key.part() - 1);
 }
 
 RationalPoint OffsetSource::exact_beginning(RawKey key) const {
   const std::uint32_t before = previous(key.edge());
-  if (key.corner() || joint(before) != Joint::Tangent) return exact_piece(key, distance_).from;
+  if (key.part() > 0 || joint(before) != Joint::Tangent) return exact_piece(key, distance_).from;
   const ChainEdge e = exact_edge(before);
   return e.to + distance_ * e.end.vector();
 }

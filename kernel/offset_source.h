@@ -91,8 +91,10 @@ template <class Real>
 class OffsetSource {
  public:
   /// Loops to shrink by `distance` > 0; `reversed`: as if they ran the other way.
-  OffsetSource(const std::vector<BulgePolyline>& loops, Rational distance, bool reversed);
-  OffsetSource(const std::vector<Chain>& loops, Rational distance, bool reversed);
+  OffsetSource(const std::vector<BulgePolyline>& loops, Rational distance, bool reversed,
+               const OffsetOptions& options = {});
+  OffsetSource(const std::vector<Chain>& loops, Rational distance, bool reversed,
+               const OffsetOptions& options = {});
 
   [[nodiscard]] std::size_t loops() const { return first_.size() - 1; }
   [[nodiscard]] std::uint32_t edges() const { return first_.back(); }
@@ -119,12 +121,16 @@ class OffsetSource {
   template <class Real>
   [[nodiscard]] const Enclosed<Real>& decisive_distance() const;
   [[nodiscard]] const Rational& distance() const { return distance_; }
+  [[nodiscard]] const OffsetOptions& options() const { return options_; }
   [[nodiscard]] const Enclosed<DoubleDouble>& fine_distance() const { return fine_distance_; }
 
   /// The joint behind edge `i`, `e`; both it and the next one in doubles are known already. An edge
   /// that doubles back on itself turns to the left.
   [[nodiscard]] Joint joint(std::uint32_t i, const EdgeInDoubles& e,
                             const EdgeInDoubles& next) const;
+  /// Strands of a corner that the options make other than one arc; none where it is one.
+  [[nodiscard]] std::vector<Strand<DoubleDouble>> corner_parts(
+      std::uint32_t i, const Enclosed<DoubleDouble>& distance) const;
   /// The strand of an edge, or of the corner behind it, moved by `distance`.
   [[nodiscard]] Strand<DoubleDouble> strand(RawKey key,
                                             const Enclosed<DoubleDouble>& distance) const;
@@ -152,6 +158,7 @@ class OffsetSource {
   std::vector<ChainEdge> chain_edges_;
   std::vector<std::uint32_t> first_;
   Rational distance_;
+  OffsetOptions options_;
   Enclosed<double> decisive_;
   Enclosed<DoubleDouble> decisive_fine_;
   Enclosed<DoubleDouble> fine_distance_;

@@ -88,7 +88,7 @@ class Edges {
   /// Whether some edge, save those that `on` keeps its distance from, surely lies nearer than
   /// `reach`; nothing when one lies about there.
   [[nodiscard]] std::optional<bool> near(Place p, RawKey on, double reach) const {
-    const std::uint32_t next = on.corner() ? source_.next(on.edge()) : on.edge();
+    const std::uint32_t next = on.part() > 0 ? source_.next(on.edge()) : on.edge();
     bool nearer = false;
     bool about = false;
     tree_.overlapping(Box{p.x, p.y, p.x, p.y}.grown(reach), [&](std::size_t i) {

@@ -64,7 +64,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
       begin_at(s, e.x, e.y, e.start_x, e.start_y, moved_rad(e, size, d));
     low = std::min(low, e.x);
     high = std::max(high, e.x);
-    s.key = RawKey(i, false);
+    s.key = RawKey(i, 0);
     s.is_line = e.is_line || source.shrinks_to_chord(e);
     if (!s.is_line) {
       s.counter_clockwise = e.counter_clockwise;
@@ -83,10 +83,13 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
       most_of_arcs += (next.x - e.x) * (next.x - e.x) + (next.y - e.y) * (next.y - e.y);
     joint = source.joint(i, e, next);
     if (joint == Joint::Tangent) continue;
+    if (joint == Joint::Right && source.options().corner != OffsetCorner::Round &&
+        lay_corner(source, i))
+      continue;
     const double to_size = std::fabs(next.x) + std::fabs(next.y);
     RawStrand& c = strands_.emplace_back();
     begin_at(c, next.x, next.y, e.end_x, e.end_y, moved_rad(e, to_size, d));
-    c.key = RawKey(i, true);
+    c.key = RawKey(i, 1);
     c.is_line = false;
     c.counter_clockwise = joint == Joint::Left;
     c.centre_x = next.x;
@@ -109,6 +112,28 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     const double sense = std::fabs(twice_area) > most_of_arcs ? twice_area : source.area(loop);
     region_number_ = sense < 0 ? 0 : 1;
   }
+}
+
+bool RawCurve::lay_corner(const OffsetSource& source, std::uint32_t i) {
+  const auto parts = source.corner_parts(i, source.decisive_distance<DoubleDouble>());
+  const auto rad = [](const auto& v) { return rounded_up(v.rad + 0x1p-52 * v.size()); };
+  std::uint32_t part = 0;
+  for (const Strand<DoubleDouble>& p : parts) {
+    RawStrand& s = strands_.emplace_back();
+    s.x = p.from.x.hi;
+    s.y = p.from.y.hi;
+    s.ends_rad = rad(p.from);
+    s.key = RawKey(i, ++part);
+    s.is_line = p.is_line;
+    s.counter_clockwise = p.counter_clockwise;
+    if (p.is_line) continue;
+    s.centre_x = p.centre.x.hi;
+    s.centre_y = p.centre.y.hi;
+    s.centre_rad = rad(p.centre);
+    s.radius = p.radius.mid.hi;
+    s.radius_rad = rad(p.radius);
+  }
+  return !parts.empty();
 }
 
 std::size_t RawCurve::loop_of(std::uint32_t strand) const {

@@ -63,6 +63,8 @@ class RawCurve {
 
  private:
   void lay(const OffsetSource& source, std::size_t loop);
+  /// The corner behind edge `i`, when it is not one arc.
+  bool lay_corner(const OffsetSource& source, std::uint32_t i);
 
   std::vector<RawStrand> strands_;
   std::vector<std::uint32_t> first_;

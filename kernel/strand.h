@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "kernel/enclosed.h"
 
@@ -193,6 +194,42 @@ Crossings<Real> of_arcs(const Strand<Real>& a, const Strand<Real>& b) {
   const double distance = (v.size() + 2 * v.rad + difference.size() + difference.rad) * kUp;
   if (apart_on_one_circle(a, b, distance)) return {};
   return undecided<Real>();
+}
+
+/// Where the lines and circles that carry two strands cross, as far as that is certain.
+template <class Real>
+std::vector<EnclosedVector<Real>> of_supports(const Strand<Real>& a, const Strand<Real>& b) {
+  if (b.is_line && !a.is_line) return of_supports(b, a);
+  const Enclosed<Real> half{Real(0.5), 0};
+  if (a.is_line) {
+    const EnclosedVector<Real> u = a.to - a.from;
+    if (b.is_line) {
+      const EnclosedVector<Real> v = b.to - b.from;
+      const Enclosed<Real> turn = cross(u, v);
+      if (turn.sign() == 0) return {};
+      return {a.from + (cross(b.from - a.from, v) / turn) * u};
+    }
+    const EnclosedVector<Real> c = b.centre - a.from;
+    const Enclosed<Real> square = dot(u, u);
+    const Enclosed<Real> h = cross(u, c);
+    const Enclosed<Real> reach = b.radius * b.radius * square - h * h;
+    if (reach.sign() <= 0) return {};
+    const Enclosed<Real> foot = dot(u, c);
+    const Enclosed<Real> way = root(reach);
+    return {a.from + ((foot - way) / square) * u, a.from + ((foot + way) / square) * u};
+  }
+  const EnclosedVector<Real> v = b.centre - a.centre;
+  const Enclosed<Real> square = dot(v, v);
+  const Enclosed<Real> sum = a.radius + b.radius;
+  const Enclosed<Real> difference = a.radius - b.radius;
+  const Enclosed<Real> outside = sum * sum - square;
+  const Enclosed<Real> inside = square - difference * difference;
+  if (square.sign() <= 0 || outside.sign() <= 0 || inside.sign() <= 0) return {};
+  const Enclosed<Real> inverse = half / square;
+  const EnclosedVector<Real> foot =
+      a.centre + (inverse * (square + difference * sum)) * v;
+  const EnclosedVector<Real> off = (root(outside * inside) * inverse) * turned_left(v);
+  return {foot - off, foot + off};
 }
 
 }  // namespace crossing

@@ -27,7 +27,7 @@ std::vector<Measure> measured(const std::vector<OffsetLoop>& loops) {
 /// Production and reference agree loop by loop.
 testing::AssertionResult same_loops(const std::vector<Chain>& loops, const Rational& distance,
                                     OffsetCounts* counts = nullptr) {
-  const auto fast = measured(production_offset(loops, distance, counts));
+  const auto fast = measured(production_offset(loops, distance, {}, counts));
   const auto slow = measured(reference_offset(loops, distance));
   if (fast.size() != slow.size())
     return testing::AssertionFailure() << fast.size() << " loops instead of " << slow.size();
