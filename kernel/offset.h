@@ -21,6 +21,24 @@
 /// into the disc.
 namespace dgt {
 
+/// A piece of a raw curve: an edge, moved, or one of up to three parts of the corner behind it.
+class RawKey {
+ public:
+  static constexpr std::uint32_t kMaxEdges = 1U << 30U;
+
+  RawKey() = default;
+  /// Part 0 is the edge.
+  RawKey(std::uint32_t edge, std::uint32_t part) : packed_(4 * edge + part) {}
+
+  [[nodiscard]] std::uint32_t edge() const { return packed_ / 4; }
+  [[nodiscard]] std::uint32_t part() const { return packed_ % 4; }
+
+  friend bool operator==(RawKey, RawKey) = default;
+
+ private:
+  std::uint32_t packed_ = 0;
+};
+
 /// An edge of a result: on a line through its ends or on a circle.
 struct OffsetPiece {
   Point from;
@@ -28,9 +46,11 @@ struct OffsetPiece {
   bool is_line = true;
   RationalPoint centre;
   Rational radius;  ///< signed, positive counter-clockwise
+  RawKey on;        ///< what it is a part of; of pieces joined, the first
 };
 struct OffsetLoop {
   std::vector<OffsetPiece> pieces;
+  bool closed = true;
 };
 
 /// Loops and pieces smaller than this in both coordinates are what lies between ideal edges and
@@ -58,7 +78,8 @@ struct OffsetOptions {
 ///  (2) Every place of the region is at least |distance| away from the loops, and with round corners
 ///      every place left of them that is so belongs to it.
 ///  (3) Outer loops run counter-clockwise, holes clockwise: the region lies to the left.
-/// Precondition (checked): the loops are closed; they may touch but not cross.
+/// Precondition (checked): the loops are closed; they may touch but not cross. An open chain is
+/// offset by open_offset.
 [[nodiscard]] std::vector<OffsetLoop> reference_offset(const std::vector<Chain>& loops,
                                                        const Rational& distance,
                                                        const OffsetOptions& options = {});
@@ -84,24 +105,6 @@ struct OffsetCounts {
 
 class OffsetSource;
 
-/// A piece of a raw curve: an edge, moved, or one of up to three parts of the corner behind it.
-class RawKey {
- public:
-  static constexpr std::uint32_t kMaxEdges = 1U << 30U;
-
-  RawKey() = default;
-  /// Part 0 is the edge.
-  RawKey(std::uint32_t edge, std::uint32_t part) : packed_(4 * edge + part) {}
-
-  [[nodiscard]] std::uint32_t edge() const { return packed_ / 4; }
-  [[nodiscard]] std::uint32_t part() const { return packed_ % 4; }
-
-  friend bool operator==(RawKey, RawKey) = default;
-
- private:
-  std::uint32_t packed_ = 0;
-};
-
 /// A piece of a result in doubles.
 struct RegionPiece {
   double x = 0;  ///< where it begins
@@ -121,6 +124,8 @@ class OffsetRegion {
   }
   /// The same loops in exact points that round correctly.
   [[nodiscard]] std::vector<OffsetLoop> exact() const;
+  /// Those before what is minute is left out and what goes on along one support is joined.
+  [[nodiscard]] std::vector<OffsetLoop> exact_pieces() const;
 
   /// The result of the reference engine in this form.
   [[nodiscard]] static OffsetRegion of(std::vector<OffsetLoop> loops);
@@ -150,6 +155,15 @@ class OffsetRegion {
                                                         const Rational& distance,
                                                         const OffsetOptions& options = {},
                                                         OffsetCounts* counts = nullptr);
+
+/// The equidistant of an open chain: of all places at the distance from it, those that lie to its
+/// left (distance > 0) or right, in its direction, without what gouges some other part of it. As many
+/// open loops as that leaves, and closed ones where the chain all but closes.
+enum class OffsetEngineKind : std::uint8_t { Production, Reference };
+[[nodiscard]] std::vector<OffsetLoop> open_offset(const Chain& chain, const Rational& distance,
+                                                  const OffsetOptions& options = {},
+                                                  OffsetEngineKind engine =
+                                                      OffsetEngineKind::Production);
 
 /// mm², counter-clockwise positive, and mm; within a few units in the last place of the
 /// coordinates.

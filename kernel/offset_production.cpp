@@ -470,6 +470,15 @@ OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source, Off
   return OffsetRegion::of(reference_offset(source->exact_loops(), source->distance(), source->options()));
 }
 
+/// Nothing when the engine leaves something open.
+std::optional<OffsetRegion> by_production(const std::shared_ptr<const OffsetSource>& source,
+                                          OffsetCounts& counts) {
+  if (sgn(source->distance()) == 0 || source->edges() >= RawKey::kMaxEdges ||
+      !source->suits_doubles())
+    return std::nullopt;
+  return OffsetEngine(source, counts).run();
+}
+
 template <class Loops>
 OffsetRegion region_of(const Loops& loops, const Rational& distance, const OffsetOptions& options,
                        OffsetCounts& counts) {
@@ -477,8 +486,7 @@ OffsetRegion region_of(const Loops& loops, const Rational& distance, const Offse
   if (loops.empty()) return {};
   const bool grows = sgn(distance) < 0;  // growing the region is shrinking what lies beyond it
   const auto source = std::make_shared<const OffsetSource>(loops, abs(distance), grows, options);
-  std::optional<OffsetRegion> found;
-  if (sgn(distance) != 0 && source->edges() < RawKey::kMaxEdges && source->suits_doubles()) found = OffsetEngine(source, counts).run();
+  std::optional<OffsetRegion> found = by_production(source, counts);
   OffsetRegion region = found ? *std::move(found) : by_reference(source, counts);
   if (grows) region.reverse();
   return region;
@@ -496,6 +504,15 @@ std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops, const
                                           const OffsetOptions& options, OffsetCounts* counts) {
   OffsetCounts ignored;
   return region_of(loops, distance, options, counts ? *counts : ignored).exact();
+}
+
+std::vector<OffsetLoop> region_about(const Chain& there_and_back, const Rational& distance,
+                                     const OffsetOptions& options) {
+  OffsetCounts counts;
+  const auto source = std::make_shared<const OffsetSource>(
+      OffsetSource::about(there_and_back, distance, options));
+  if (const auto found = by_production(source, counts)) return found->exact_pieces();
+  return shrunk_by_reference({there_and_back}, distance, 0, options);
 }
 
 }  // namespace dgt

@@ -96,7 +96,11 @@ void drop_minute_pieces(OffsetLoop& loop) {
   };
   // Begin at something larger, so that no run of them passes the seam.
   const auto first = std::ranges::find_if_not(loop.pieces, is_minute);
-  std::ranges::rotate(loop.pieces, first);
+  if (loop.closed)
+    std::ranges::rotate(loop.pieces, first);
+  else if (first != loop.pieces.end())
+    first->from = loop.pieces.front().from;
+  if (!loop.closed) loop.pieces.erase(loop.pieces.begin(), first);
   std::vector<OffsetPiece> kept;
   for (OffsetPiece& piece : loop.pieces) {
     if (is_minute(piece))
@@ -111,7 +115,7 @@ void drop_minute_pieces(OffsetLoop& loop) {
 void merge_pieces(OffsetLoop& loop) {
   auto& pieces = loop.pieces;
   // Begin at a true corner, so that no run passes the seam.
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; loop.closed && i < pieces.size(); ++i) {
     const OffsetPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
     if (same_support(before, pieces[i])) continue;
     std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), pieces.end());
@@ -120,7 +124,8 @@ void merge_pieces(OffsetLoop& loop) {
   std::vector<OffsetPiece> merged;
   for (OffsetPiece& piece : pieces) {
     const bool goes_on =
-        !merged.empty() && same_support(merged.back(), piece) && merged.size() + pieces.size() > 3;
+        !merged.empty() && same_support(merged.back(), piece) &&
+        (!loop.closed || merged.size() + pieces.size() > 3);
     if (goes_on && !(piece.is_line == false && merged.back().from == piece.to))
       merged.back().to = piece.to;
     else
@@ -244,15 +249,22 @@ std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance
 std::vector<RawPiece> raw_curve(const std::vector<Chain>& loops, const Rational& distance,
                                 const OffsetOptions& options) {
   std::vector<RawPiece> raw;
+  std::uint32_t index = 0;
   for (const Chain& loop : loops) {
     DGT_CHECK(loop.closed && !loop.edges.empty());
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
       const ChainEdge& edge = loop.edges[i];
       const ChainEdge& next = loop.edges[(i + 1) % loop.edges.size()];
       DGT_CHECK(edge.to == next.from);
-      if (auto piece = raw_edge(edge, distance)) raw.push_back(*std::move(piece));
-      for (RawPiece& part : raw_corner(edge, next, distance, options))
-        raw.push_back(std::move(part));
+      std::uint32_t part = 0;
+      const auto add = [&](RawPiece piece) {
+        piece.key = RawKey(index, part++);
+        raw.push_back(std::move(piece));
+      };
+      if (auto piece = raw_edge(edge, distance)) add(*std::move(piece));
+      part = 1;
+      for (RawPiece& piece : raw_corner(edge, next, distance, options)) add(std::move(piece));
+      ++index;
     }
   }
   return raw;

@@ -18,6 +18,7 @@ struct RawPiece {
   RationalPoint centre;
   Rational squared_radius;
   bool counter_clockwise = true;
+  RawKey key;  ///< where the raw curve of all loops has it
 };
 
 /// `edge` moved to the left; nothing for an arc shrunk to its centre.
@@ -46,6 +47,17 @@ struct Spot {
 /// The winding number of the region left of the loops: 1 inside an outermost counter-clockwise
 /// loop, 0 where the region reaches to infinity.
 [[nodiscard]] int number_of_region(const std::vector<Chain>& loops);
+
+/// What the reference engine does once it knows the number of the region.
+[[nodiscard]] std::vector<OffsetLoop> shrunk_by_reference(const std::vector<Chain>& loops,
+                                                          const Rational& distance, int number,
+                                                          const OffsetOptions& options);
+
+/// All that lies farther than the distance from an open chain, run there and back; by the production
+/// engine. Pieces as they come.
+[[nodiscard]] std::vector<OffsetLoop> region_about(const Chain& there_and_back,
+                                                   const Rational& distance,
+                                                   const OffsetOptions& options);
 
 /// Takes off slivers and, where a part of the region may fit into the disc, void loops.
 void drop_void_loops(std::vector<OffsetLoop>& result, const std::vector<Chain>& loops,

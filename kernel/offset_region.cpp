@@ -133,6 +133,12 @@ Circle OffsetRegion::circle_of(RawKey on) const {
 }
 
 std::vector<OffsetLoop> OffsetRegion::exact() const {
+  std::vector<OffsetLoop> result = exact_pieces();
+  for (OffsetLoop& loop : result) tidy(loop);
+  return result;
+}
+
+std::vector<OffsetLoop> OffsetRegion::exact_pieces() const {
   if (!source_) return exact_;
   std::vector<OffsetLoop> result;
   for (std::size_t i = 0; i < loops(); ++i) {
@@ -140,6 +146,7 @@ std::vector<OffsetLoop> OffsetRegion::exact() const {
     for (const RegionPiece& piece : loop(i)) {
       OffsetPiece& p = exact.pieces.emplace_back();
       p.from = Vertex(source_, piece).point();
+      p.on = piece.on;
       p.is_line = piece.radius == 0;
       if (p.is_line) continue;
       const Circle circle = circle_of(piece.on);
@@ -148,7 +155,6 @@ std::vector<OffsetLoop> OffsetRegion::exact() const {
     }
     for (std::size_t k = 0; k < exact.pieces.size(); ++k)
       exact.pieces[k].to = exact.pieces[(k + 1) % exact.pieces.size()].from;
-    tidy(exact);
   }
   return result;
 }

@@ -274,6 +274,13 @@ OffsetSource::OffsetSource(const std::vector<Chain>& loops, Rational distance, b
   set_distance();
 }
 
+OffsetSource OffsetSource::about(const Chain& there_and_back, Rational distance,
+                                 const OffsetOptions& options) {
+  OffsetSource source(std::vector<Chain>{there_and_back}, std::move(distance), false, options);
+  source.is_slit_ = true;
+  return source;
+}
+
 void OffsetSource::set_distance() {
   const Rational decisive = distance_ + power_of_two(kContactExponent);
   decisive_ = enclosed<double>(decisive);

@@ -104,6 +104,11 @@ class OffsetSource {
   [[nodiscard]] std::uint32_t next(std::uint32_t edge) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t edge) const;
 
+  /// Both ways along an open chain: the loop bounds nothing, and all about it is the region.
+  [[nodiscard]] static OffsetSource about(const Chain& there_and_back, Rational distance,
+                                          const OffsetOptions& options);
+  [[nodiscard]] bool is_slit() const { return is_slit_; }
+
   /// Whether doubles can follow the loops: chains may hold anything.
   [[nodiscard]] bool suits_doubles() const;
   /// About the area of a loop, mm², counter-clockwise positive; the sign is right wherever there is
@@ -163,6 +168,7 @@ class OffsetSource {
   Enclosed<DoubleDouble> decisive_fine_;
   Enclosed<DoubleDouble> fine_distance_;
   bool reversed_ = false;
+  bool is_slit_ = false;
 };
 
 inline Joint OffsetSource::joint(std::uint32_t i, const EdgeInDoubles& e,

@@ -110,7 +110,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
   if (high - low > width_) {
     width_ = high - low;
     const double sense = std::fabs(twice_area) > most_of_arcs ? twice_area : source.area(loop);
-    region_number_ = sense < 0 ? 0 : 1;
+    region_number_ = sense < 0 || source.is_slit() ? 0 : 1;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -13,15 +14,13 @@
 namespace dgt::cli {
 namespace {
 
-constexpr const char* kRound = "round";
-
-enum class Engine : std::uint8_t { Production, Reference };
+using Engine = OffsetEngineKind;
 enum class Form : std::uint8_t { Json, Poly, Svg };
 
-struct OffsetOptions {
+struct OffsetJob {
   Request request;
   std::string distance;
-  std::string corner = kRound;
+  OffsetOptions options;
   Engine engine = Engine::Production;
 };
 
@@ -34,20 +33,12 @@ std::optional<Form> form_of(const std::string& output) {
   return found == kForms.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// An open loop has no inside that could shrink.
-void refuse_open(const std::vector<PolyLoop>& loops, DiagnosticBag& bag) {
-  for (const PolyLoop& loop : loops) {
-    if (!loop.chain.closed) bag.add({Message::OpenLoopOffset, loop.places.front(), {}});
-  }
-}
-
 Step<std::vector<Chain>> loops_of_poly(const Request& request, const Console& console) {
   const auto bytes = read_file(request.file);
   if (!bytes) return tl::unexpected(report(bytes.error(), console));
   const auto source = decode_source(request.file, *bytes, request.source.encoding);
   DiagnosticBag bag;
   std::vector<PolyLoop> loops = read_poly(*source, bag);
-  refuse_open(loops, bag);
   bag.sort();
   console.show(bag, {source});
   if (bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
@@ -63,15 +54,18 @@ Step<std::vector<Chain>> loops_of_program(const Request& request, const Console&
   for (const Contour& contour : path->contours) {
     const std::string id = std::to_string(contour.id);
     if (auto chain = loop_of(contour)) {
-      console.note(Text::LoopTaken,
-                   {id, std::to_string(chain->edges.size()), fmt::format("{:.6f}", area(*chain))});
+      const std::string edges = std::to_string(chain->edges.size());
+      if (chain->closed)
+        console.note(Text::LoopTaken, {id, edges, fmt::format("{:.6f}", area(*chain))});
+      else
+        console.note(Text::OpenLoopTaken, {id, edges});
       chains.push_back(*std::move(chain));
     } else {
       console.note(Text::ContourLeftOut, {id});
     }
   }
   if (chains.empty()) {
-    console.error(Text::NoClosedContour, {request.file});
+    console.error(Text::NoContour, {request.file});
     return tl::unexpected(ExitCode::InputErrors);
   }
   return chains;
@@ -86,10 +80,21 @@ Step<std::vector<Chain>> loops_of_input(const Request& request, const Console& c
              : loops_of_program(request, console);
 }
 
-std::vector<OffsetLoop> offset_by(Engine engine, const std::vector<Chain>& loops,
+/// Closed loops bound one region; open ones have an equidistant each.
+std::vector<OffsetLoop> offset_by(const OffsetJob& job, const std::vector<Chain>& loops,
                                   const Rational& distance) {
-  return engine == Engine::Production ? production_offset(loops, distance)
-                                      : reference_offset(loops, distance);
+  std::vector<Chain> closed;
+  for (const Chain& loop : loops)
+    if (loop.closed) closed.push_back(loop);
+  std::vector<OffsetLoop> result = job.engine == Engine::Production
+                                       ? production_offset(closed, distance, job.options)
+                                       : reference_offset(closed, distance, job.options);
+  for (const Chain& loop : loops) {
+    if (loop.closed) continue;
+    for (OffsetLoop& found : open_offset(loop, distance, job.options, job.engine))
+      result.push_back(std::move(found));
+  }
+  return result;
 }
 
 std::string in_form(Form form, const std::vector<EquidistantLoop>& loops,
@@ -105,37 +110,42 @@ std::string in_form(Form form, const std::vector<EquidistantLoop>& loops,
   return {};
 }
 
-ExitCode run(const OffsetOptions& options, const Console& console) {
-  const auto distance = parse_scientific(options.distance);
+bool has_open(const std::vector<Chain>& loops) {
+  return std::ranges::any_of(loops, [](const Chain& loop) { return !loop.closed; });
+}
+
+ExitCode run(const OffsetJob& job, const Console& console) {
+  const auto distance = parse_scientific(job.distance);
   if (!distance) {
-    console.error(Text::BadDistance, {options.distance});
+    console.error(Text::BadDistance, {job.distance});
     return ExitCode::WrongUsage;
   }
-  if (options.corner != kRound) {
-    console.error(Text::UnknownCorner, {options.corner});
-    return ExitCode::WrongUsage;
-  }
-  const auto form = form_of(options.request.output);
+  const auto form = form_of(job.request.output);
   if (!form) {
-    console.error(Text::UnknownOffsetForm, {options.request.output});
+    console.error(Text::UnknownOffsetForm, {job.request.output});
     return ExitCode::WrongUsage;
   }
-  const auto contours = loops_of_input(options.request, console);
+  const auto contours = loops_of_input(job.request, console);
   if (!contours) return contours.error();
-  const auto loops = in_order(offset_by(options.engine, *contours, *distance));
-  return write_result(options.request.output, in_form(*form, loops, *contours), console);
+  if (sgn(*distance) == 0 && has_open(*contours)) {
+    console.error(Text::OpenLoopAtZero, {});
+    return ExitCode::WrongUsage;
+  }
+  const auto loops = in_order(offset_by(job, *contours, *distance));
+  return write_result(job.request.output, in_form(*form, loops, *contours), console);
 }
 
 }  // namespace
 
 void add_offset(CLI::App& app, Job& job) {
-  const auto options = std::make_shared<OffsetOptions>();
+  const auto options = std::make_shared<OffsetJob>();
   CLI::App* verb = add_verb(
-      app, job, "offset", "The equidistant of closed contours, without loops that gouge",
+      app, job, "offset", "The equidistant of contours, without loops that gouge",
       "Writes the boundary of all places that lie left of the directed loops and at least the "
       "distance away from them: nothing is cut into, every island stays, and what is too narrow "
-      "for the distance is gone. Every decision is exact. Loops are those of a .poly file, or the "
-      "programmed paths (W = 0) of a program's closed contours in their direction, without leads. "
+      "for the distance is gone. Of an open loop it writes the equidistant to its left, or right "
+      "of it for a negative distance. Every decision is exact. Loops are those of a .poly file, or "
+      "the programmed paths (W = 0) of a program's contours in their direction, without leads. "
       "Loops may touch and must not cross.\n\nExample:\n"
       "  dgt offset part.poly --distance 0.2 -o inner.poly");
   add_request(*verb, options->request,
@@ -145,10 +155,20 @@ void add_offset(CLI::App& app, Job& job) {
                    "so that counter-clockwise loops shrink")
       ->required()
       ->option_text("MM");
-  verb->add_option("--corner", options->corner,
+  static const std::map<std::string, OffsetCorner> kCorners = {{"round", OffsetCorner::Round},
+                                                               {"sharp", OffsetCorner::Sharp},
+                                                               {"chamfer", OffsetCorner::Chamfer}};
+  verb->add_option("--corner", options->options.corner,
                    "What joins the equidistants of a corner's edges on its outside: an arc about "
-                   "the corner (default: round)")
-      ->option_text("round");
+                   "the corner, the equidistants themselves prolonged until they meet, or their "
+                   "tangents cut by one that touches that arc (default: round)")
+      ->option_text("round|sharp|chamfer")
+      ->transform(CLI::CheckedTransformer(kCorners).description(""));
+  verb->add_option("--spike-limit", options->options.spike_limit,
+                   "How many distances a sharp corner may lie from the contour's corner; beyond, "
+                   "it is round (default: 4)")
+      ->option_text("TIMES")
+      ->check(CLI::Range(1.0, 1000.0).description(""));
   static const std::map<std::string, Engine> kEngines = {{"production", Engine::Production},
                                                          {"reference", Engine::Reference}};
   verb->add_option("--engine", options->engine,
@@ -156,7 +176,7 @@ void add_offset(CLI::App& app, Job& job) {
                    "is slow and simple (default: production)")
       ->option_text("production|reference")
       ->transform(CLI::CheckedTransformer(kEngines).description(""));
-  set_job<OffsetOptions>(verb, job, options, run);
+  set_job<OffsetJob>(verb, job, options, run);
 }
 
 }  // namespace dgt::cli

@@ -82,10 +82,12 @@ void add_vertices(std::vector<BulgeVertex>& vertices, const Move& move) {
 
 std::optional<Chain> loop_of(const Contour& contour) {
   std::vector<Move> part = part_of(contour);
-  if (part.empty() || !is_connected(part) || !close(part)) return std::nullopt;
+  if (part.empty() || !is_connected(part)) return std::nullopt;
+  const bool closed = close(part);
   std::vector<BulgeVertex> vertices;
   for (const Move& move : part) add_vertices(vertices, move);
-  return chain_of(vertices, true);
+  if (!closed) vertices.push_back({stand_in(part.back().to), 0});
+  return chain_of(vertices, closed);
 }
 
 }  // namespace dgt

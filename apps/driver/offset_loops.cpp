@@ -73,8 +73,7 @@ std::vector<Move> visible_moves(const OffsetLoop& loop) {
     if (!moves.empty()) move.from = moves.back().to;
     moves.push_back(std::move(move));
   }
-  if (moves.empty()) return moves;
-  moves.back().to = moves.front().from;
+  if (loop.closed && !moves.empty()) moves.back().to = moves.front().from;
   return moves;
 }
 
@@ -88,12 +87,12 @@ Move full_circle(const Move& arc) {
   return move;
 }
 
-void join_arcs(std::vector<Move>& moves) {
+void join_arcs(std::vector<Move>& moves, bool closed) {
   const auto parted = [&](std::size_t i) {
     return !on_one_circle(moves[(i + moves.size() - 1) % moves.size()], moves[i]);
   };
   std::size_t start = 0;
-  while (start < moves.size() && !parted(start)) ++start;
+  while (closed && start < moves.size() && !parted(start)) ++start;
   if (start == moves.size()) {
     moves = {full_circle(moves.front())};
     return;
@@ -124,7 +123,7 @@ double area_of(const std::vector<Move>& moves) {
       circles += std::copysign(std::numbers::pi * r * r, r);
       continue;
     }
-    OffsetPiece piece{move.from, move.to, move.kind == MoveKind::Line, {}, 0};
+    OffsetPiece piece{move.from, move.to, move.kind == MoveKind::Line, {}, 0, {}};
     if (!piece.is_line) {
       piece.centre = move.circle().centre();
       piece.radius = move.circle().radius();
@@ -137,8 +136,8 @@ double area_of(const std::vector<Move>& moves) {
 std::vector<Move> written_form(const OffsetLoop& loop) {
   std::vector<Move> moves = visible_moves(loop);
   if (moves.empty()) return moves;
-  join_arcs(moves);
-  std::ranges::rotate(moves, std::ranges::min_element(moves, {}, order_of));
+  join_arcs(moves, loop.closed);
+  if (loop.closed) std::ranges::rotate(moves, std::ranges::min_element(moves, {}, order_of));
   return moves;
 }
 
@@ -151,7 +150,8 @@ std::vector<EquidistantLoop> in_order(std::vector<OffsetLoop> loops) {
     written.moves = written_form(loop);
     loop.pieces.clear();
     if (written.moves.empty()) continue;
-    written.area = area_of(written.moves);
+    written.closed = loop.closed;
+    written.area = loop.closed ? area_of(written.moves) : 0;
     written.length = lengths(written.moves).cut;
     result.push_back(std::move(written));
   }
@@ -169,7 +169,8 @@ std::string to_json(const std::vector<EquidistantLoop>& loops) {
     json.number(loop.area);
     json.out += ", \"length\": ";
     json.number(loop.length);
-    json.out += ", \"closed\": true,\n   \"moves\": ";
+    json.out += loop.closed ? ", \"closed\": true" : ", \"closed\": false";
+    json.out += ",\n   \"moves\": ";
     json.moves(loop.moves);
     json.out += '}';
   }
@@ -194,7 +195,7 @@ std::string to_svg(const std::vector<EquidistantLoop>& loops, const std::vector<
   }
   for (const EquidistantLoop& loop : loops) {
     Contour contour;
-    contour.closed = true;
+    contour.closed = loop.closed;
     contour.first = path.moves.size();
     path.moves.insert(path.moves.end(), loop.moves.begin(), loop.moves.end());
     contour.last = path.moves.size();

@@ -14,10 +14,16 @@
 namespace dgt::cgal {
 namespace {
 
-/// How often, net, the raw curves run along an edge of the arrangement from left to right.
-using Count = int;
+/// How often, net, the raw curves run along an edge of the arrangement from left to right, and a raw
+/// piece that does.
+struct Count {
+  int net = 0;
+  RawKey piece;
+
+  friend bool operator==(const Count&, const Count&) = default;
+};
 struct AddCounts {
-  Count operator()(Count a, Count b) const { return a + b; }
+  Count operator()(const Count& a, const Count& b) const { return {a.net + b.net, a.piece}; }
 };
 
 using BaseTraits = CGAL::Arr_circle_segment_traits_2<LinearKernel>;
@@ -45,7 +51,7 @@ std::vector<Traits::X_monotone_curve_2> monotone_pieces(const std::vector<RawPie
     traits.make_x_monotone_2_object()(to_curve(piece), std::back_inserter(parts));
     for (const CGAL::Object& part : parts) {
       BaseTraits::X_monotone_curve_2 curve;
-      if (CGAL::assign(curve, part)) result.emplace_back(curve, curve.is_directed_right() ? 1 : -1);
+      if (CGAL::assign(curve, part)) result.emplace_back(curve, Count{curve.is_directed_right() ? 1 : -1, piece.key});
     }
   }
   return result;
@@ -53,7 +59,7 @@ std::vector<Traits::X_monotone_curve_2> monotone_pieces(const std::vector<RawPie
 
 /// The winding number rises by the net count of curves from right to left across them.
 int step_to_left(Halfedge e) {
-  const Count count = e->curve().data();
+  const int count = e->curve().data().net;
   return e->direction() == CGAL::ARR_LEFT_TO_RIGHT ? count : -count;
 }
 
@@ -94,6 +100,7 @@ OffsetPiece to_piece(Halfedge e) {
   piece.from = Point(to_point(e->source()->point()));
   piece.to = Point(to_point(e->target()->point()));
   const auto& curve = e->curve();
+  piece.on = curve.data().piece;
   piece.is_line = curve.is_linear();
   if (piece.is_line) return piece;
   const auto circle = curve.supporting_circle();

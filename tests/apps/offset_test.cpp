@@ -241,15 +241,69 @@ TEST(OffsetCommand, NothingInNothingOut) {
   EXPECT_EQ(read_text(folder.name("none.poly")), "");
 }
 
-TEST(OffsetCommand, OpenLoopsAreInputErrors) {
+TEST(OffsetCommand, OpenLoopsHaveAnEquidistantOnEitherSide) {
   const TemporaryFolder folder;
-  const std::string open = folder.write("open.poly", "open\n0 0 0\n1 0 0\n1 1 0\n");
-  const Outcome outcome = run_dgt(call(open, "1"));
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.out, IsEmpty());
-  EXPECT_EQ(outcome.err, open +
-                             ":2:1: error: this loop is open; equidistants are made of closed "
-                             "loops [DGT1005]\n0 0 0\n^~~~~\n");
+  const std::string open = folder.write("open.poly", "open\n0 0 0\n10 0 0\n10 10 0\n");
+  for (const char* engine : {"production", "reference"}) {
+    const json left = loops_of(open, "1", {"--engine", engine});
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0]["closed"], false);
+    EXPECT_EQ(left[0]["area"], 0.0);
+    EXPECT_EQ(left[0]["length"], 18.0);
+    EXPECT_EQ(left[0]["moves"][0]["from"], json::array({0.0, 1.0}));
+    const json right = loops_of(open, "-1", {"--engine", engine});
+    ASSERT_EQ(right.size(), 1U);
+    EXPECT_EQ(right[0]["moves"].size(), 3U);
+    EXPECT_NEAR(right[0]["length"].get<double>(), 20 + kPi / 2, 1e-12);
+    EXPECT_EQ(right[0]["moves"][0]["from"], json::array({0.0, -1.0}));
+  }
+  EXPECT_EQ(run_dgt(call(open, "1", {"-o", "-"})).exit_code, 0);
+  EXPECT_EQ(run_dgt(call(open, "0")).exit_code, 2);
+}
+
+TEST(OffsetCommand, OpenLoopsLoseWhatComesTooNearToAnotherPart) {
+  const TemporaryFolder folder;
+  // A hook whose point lies 2 above its shank: at 1.5 the two come too near.
+  const std::string hook =
+      folder.write("hook.poly", "open\n0 0 0\n20 0 0\n20 2 0\n12 2 0\n");
+  for (const char* engine : {"production", "reference"}) {
+    const json loops = loops_of(hook, "1.5", {"--engine", engine});
+    ASSERT_EQ(loops.size(), 1U) << engine;
+    // Along the shank until the point is 1.5 away: 12 − √(1.5² − 0.5²).
+    EXPECT_EQ(loops[0]["moves"].size(), 1U);
+    EXPECT_NEAR(loops[0]["length"].get<double>(), 12 - std::sqrt(2.0), 1e-12);
+  }
+}
+
+TEST(OffsetCommand, CornersOfASquare) {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", "0 0 0\n10 0 0\n10 10 0\n0 10 0\n");
+  for (const char* engine : {"production", "reference"}) {
+    const auto grown = [&](const Words& more) {
+      Words words = {"--engine", engine};
+      words.insert(words.end(), more.begin(), more.end());
+      return loops_of(square, "-1", words);
+    };
+    expect_shape(grown({}), 1, 140 + kPi, 40 + 2 * kPi);
+    expect_shape(grown({"--corner", "sharp"}), 1, 144, 48);
+    EXPECT_EQ(grown({"--corner", "sharp"})[0]["moves"].size(), 4U);
+    // Too far: √2 distances.
+    expect_shape(grown({"--corner", "sharp", "--spike-limit", "1.4"}), 1, 140 + kPi, 40 + 2 * kPi);
+    // Each corner is cut by a line that touches the unit circle at 45°: legs of 2 − √2.
+    const double leg = 2 - std::sqrt(2.0);
+    expect_shape(grown({"--corner", "chamfer"}), 1, 144 - 2 * leg * leg,
+                 48 - 8 * leg + 4 * std::sqrt(2.0) * leg);
+  }
+}
+
+/// Closed form, worked out from the sample's own lines and circles.
+TEST(OffsetCommand, CornersOfSample1P) {
+  for (const char* engine : {"production", "reference"}) {
+    const Words with = {"--engine", engine};
+    expect_shape(loops_of(corpus("1P.bgt"), "-0.2", with), 1, -635.7070496784, 214.7017100901);
+    expect_shape(loops_of(corpus("1P.bgt"), "-0.2", {"--engine", engine, "--corner", "sharp"}), 1,
+                 -635.6188261112, 215.5937000736);
+  }
 }
 
 TEST(OffsetCommand, FaultsInAPolylineAreInputErrors) {
@@ -262,14 +316,14 @@ TEST(OffsetCommand, FaultsInAPolylineAreInputErrors) {
   EXPECT_FALSE(std::filesystem::exists(target));
 }
 
-TEST(OffsetCommand, OpenContoursOfAProgramAreLeftOut) {
+TEST(OffsetCommand, OpenContoursOfAProgramAreOpenLoops) {
   const TemporaryFolder folder;
   const std::string program =
       folder.write("open.bgt", "L1=Y0\nL2=X10\nG54 X0 Y0\nK1 L1 L2 X10 Y10\n");
   const Outcome outcome = run_dgt(call(program, "1"));
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("dgt: note: contour 1 is open and was left out\n"),
-                                 HasSubstr("dgt: error: " + program + " has no closed contour\n")));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("taken as an open loop of"));
+  EXPECT_EQ(json::parse(outcome.out)["loops"][0]["closed"], false);
 }
 
 TEST(OffsetCommand, WrongUsageIs2AndSaysWhy) {
@@ -277,7 +331,8 @@ TEST(OffsetCommand, WrongUsageIs2AndSaysWhy) {
   const std::vector<std::pair<Words, std::string>> calls = {
       {{"offset", shape("slot")}, "--distance"},
       {call(shape("slot"), "wide"), "'wide' is no distance in mm"},
-      {call(shape("slot"), "1", {"--corner", "sharp"}), "there are no corners 'sharp'; they are "},
+      {call(shape("slot"), "1", {"--corner", "blunt"}), "blunt"},
+      {call(shape("slot"), "1", {"--spike-limit", "0.5"}), "--spike-limit"},
       {call(shape("slot"), "1", {"--engine", "steam"}), "steam"},
       {call(shape("slot"), "1", {"-o", folder.name("x.pdf")}), "ends in .json, .poly or .svg"},
       {call(folder.write("part.txt", ""), "1"), "does not tell its language"},
