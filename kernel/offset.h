@@ -75,7 +75,8 @@ struct OffsetOptions {
 /// The reference engine: the raw curves as an exact arrangement, faces labelled by winding number,
 /// the boundary read off the faces. Simple and slow: some 100 µs an edge.
 ///  (1) `distance` > 0 shrinks the region left of the loops, < 0 grows it.
-///  (2) Every place of the region is at least |distance| away from the loops, and with round corners
+///  (2) Every place of the region is at least |distance| away from the loops, and with round
+///  corners
 ///      every place left of them that is so belongs to it.
 ///  (3) Outer loops run counter-clockwise, holes clockwise: the region lies to the left.
 /// Precondition (checked): the loops are closed; they may touch but not cross. An open chain is
@@ -157,13 +158,12 @@ class OffsetRegion {
                                                         OffsetCounts* counts = nullptr);
 
 /// The equidistant of an open chain: of all places at the distance from it, those that lie to its
-/// left (distance > 0) or right, in its direction, without what gouges some other part of it. As many
-/// open loops as that leaves, and closed ones where the chain all but closes.
+/// left (distance > 0) or right, in its direction, without what gouges some other part of it. As
+/// many open loops as that leaves, and closed ones where the chain all but closes.
 enum class OffsetEngineKind : std::uint8_t { Production, Reference };
-[[nodiscard]] std::vector<OffsetLoop> open_offset(const Chain& chain, const Rational& distance,
-                                                  const OffsetOptions& options = {},
-                                                  OffsetEngineKind engine =
-                                                      OffsetEngineKind::Production);
+[[nodiscard]] std::vector<OffsetLoop> open_offset(
+    const Chain& chain, const Rational& distance, const OffsetOptions& options = {},
+    OffsetEngineKind engine = OffsetEngineKind::Production);
 
 /// mm², counter-clockwise positive, and mm; within a few units in the last place of the
 /// coordinates.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equidistants of open chains. Run there and back, a chain is a loop that bounds nothing; what lies
 // farther from it than the distance is bounded by one or more loops all round. Of these, what keeps
-// its distance from the way there, and from its corners, is the equidistant to the left; caps and the
-// way back are left out.
+// its distance from the way there, and from its corners, is the equidistant to the left; caps and
+// the way back are left out.
 #include <algorithm>
 
 #include "kernel/check.h"

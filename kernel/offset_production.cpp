@@ -467,7 +467,8 @@ namespace {
 
 OffsetRegion by_reference(const std::shared_ptr<const OffsetSource>& source, OffsetCounts& counts) {
   counts.exact = counts.decisions;
-  return OffsetRegion::of(reference_offset(source->exact_loops(), source->distance(), source->options()));
+  return OffsetRegion::of(
+      reference_offset(source->exact_loops(), source->distance(), source->options()));
 }
 
 /// Nothing when the engine leaves something open.
@@ -509,8 +510,8 @@ std::vector<OffsetLoop> production_offset(const std::vector<Chain>& loops, const
 std::vector<OffsetLoop> region_about(const Chain& there_and_back, const Rational& distance,
                                      const OffsetOptions& options) {
   OffsetCounts counts;
-  const auto source = std::make_shared<const OffsetSource>(
-      OffsetSource::about(there_and_back, distance, options));
+  const auto source =
+      std::make_shared<const OffsetSource>(OffsetSource::about(there_and_back, distance, options));
   if (const auto found = by_production(source, counts)) return found->exact_pieces();
   return shrunk_by_reference({there_and_back}, distance, 0, options);
 }

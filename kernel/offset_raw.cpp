@@ -123,9 +123,8 @@ void merge_pieces(OffsetLoop& loop) {
   }
   std::vector<OffsetPiece> merged;
   for (OffsetPiece& piece : pieces) {
-    const bool goes_on =
-        !merged.empty() && same_support(merged.back(), piece) &&
-        (!loop.closed || merged.size() + pieces.size() > 3);
+    const bool goes_on = !merged.empty() && same_support(merged.back(), piece) &&
+                         (!loop.closed || merged.size() + pieces.size() > 3);
     if (goes_on && !(piece.is_line == false && merged.back().from == piece.to))
       merged.back().to = piece.to;
     else
@@ -141,8 +140,8 @@ RawPiece segment_between(const RationalPoint& from, const RationalPoint& to) {
   return piece;
 }
 
-/// The tangents at the ends of the corner's arc, and between them the one at its middle. A line that
-/// touches the unit circle in m meets that in n at (m + n)/(1 + m·n).
+/// The tangents at the ends of the corner's arc, and between them the one at its middle. A line
+/// that touches the unit circle in m meets that in n at (m + n)/(1 + m·n).
 std::vector<RawPiece> chamfer(const ChainEdge& edge, const ChainEdge& next,
                               const Rational& distance) {
   const Vector n = edge.end.vector();
@@ -157,8 +156,8 @@ std::vector<RawPiece> chamfer(const ChainEdge& edge, const ChainEdge& next,
 
 Spot spot(const RationalPoint& p) { return {p.x.get_d(), p.y.get_d()}; }
 
-/// From `end` of an edge, moved, with its normal there, to a place on its support: along the line, or
-/// along the arc through both that has this normal (chain.h): the edge's own circle but for what
+/// From `end` of an edge, moved, with its normal there, to a place on its support: along the line,
+/// or along the arc through both that has this normal (chain.h): the edge's own circle but for what
 /// the place is off by.
 RawPiece prolonged(const ChainEdge& edge, const RationalPoint& end, const UnitVector& normal,
                    const RationalPoint& to) {
@@ -193,9 +192,8 @@ std::vector<RawPiece> sharp_corner(const ChainEdge& edge, const ChainEdge& next,
   // A short arc is known worse than its ends by the square of how often it goes into its radius.
   constexpr int kFiner = -(kStandInBits + 64);
   const RationalPoint at{rational_within(exact.x, kFiner), rational_within(exact.y, kFiner)};
-  if (!is_ahead(spot(at), spot(before.to), spot(turned_right(edge.end.vector())),
-                spot(behind.from), spot(turned_right(next.start.vector())), corner,
-                limit * distance.get_d()))
+  if (!is_ahead(spot(at), spot(before.to), spot(turned_right(edge.end.vector())), spot(behind.from),
+                spot(turned_right(next.start.vector())), corner, limit * distance.get_d()))
     return {};
   RawPiece last = prolonged(next, behind.from, next.start, at);
   std::swap(last.from, last.to);

@@ -53,8 +53,8 @@ struct Spot {
                                                           const Rational& distance, int number,
                                                           const OffsetOptions& options);
 
-/// All that lies farther than the distance from an open chain, run there and back; by the production
-/// engine. Pieces as they come.
+/// All that lies farther than the distance from an open chain, run there and back; by the
+/// production engine. Pieces as they come.
 [[nodiscard]] std::vector<OffsetLoop> region_about(const Chain& there_and_back,
                                                    const Rational& distance,
                                                    const OffsetOptions& options);

@@ -120,8 +120,8 @@ void OffsetRegion::drop(const std::vector<bool>& which) {
   first_ = std::move(first);
 }
 
-/// The circle of a raw piece that is an arc, run counter-clockwise: about a corner, or of an edge and
-/// of what a sharp corner prolongs it by.
+/// The circle of a raw piece that is an arc, run counter-clockwise: about a corner, or of an edge
+/// and of what a sharp corner prolongs it by.
 Circle OffsetRegion::circle_of(RawKey on) const {
   const Rational& distance = source_->distance();
   const ChainEdge edge = source_->exact_edge(on.edge());

@@ -207,9 +207,9 @@ std::vector<Strand<Fine>> sharp_corner(const EnclosedEdge<Fine>& e, const Enclos
   const auto places = crossing::of_supports(before, behind);
   for (const EnclosedVector<Fine>& p : places)
     if (!nearest || far(p) < far(*nearest)) nearest = &p;
-  if (!nearest || !is_ahead(spot(*nearest), spot(before.to), spot(-turned_left(e.end)),
-                            spot(behind.from), spot(-turned_left(next.start)), corner,
-                            limit * d.mid.hi))
+  if (!nearest ||
+      !is_ahead(spot(*nearest), spot(before.to), spot(-turned_left(e.end)), spot(behind.from),
+                spot(-turned_left(next.start)), corner, limit * d.mid.hi))
     return {};
   before.from = before.to;
   before.to = *nearest;

@@ -226,8 +226,7 @@ std::vector<EnclosedVector<Real>> of_supports(const Strand<Real>& a, const Stran
   const Enclosed<Real> inside = square - difference * difference;
   if (square.sign() <= 0 || outside.sign() <= 0 || inside.sign() <= 0) return {};
   const Enclosed<Real> inverse = half / square;
-  const EnclosedVector<Real> foot =
-      a.centre + (inverse * (square + difference * sum)) * v;
+  const EnclosedVector<Real> foot = a.centre + (inverse * (square + difference * sum)) * v;
   const EnclosedVector<Real> off = (root(outside * inside) * inverse) * turned_left(v);
   return {foot - off, foot + off};
 }

@@ -19,7 +19,8 @@ struct EquidistantLoop {
 
 /// Loops of an offset engine in the one order in which they are written, whatever order the engine
 /// found them in.
-///  (1) A closed loop begins at its lowest vertex, of these at the leftmost; a loop that is one full
+///  (1) A closed loop begins at its lowest vertex, of these at the leftmost; a loop that is one
+///  full
 ///      circle at the lowest point of it. Loops follow each other by the same rule. What counts are
 ///      the coordinates as written.
 ///  (2) Arcs that go on along one circle (within 2^kContactExponent mm) are one arc, and what is

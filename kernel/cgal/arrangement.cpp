@@ -14,8 +14,8 @@
 namespace dgt::cgal {
 namespace {
 
-/// How often, net, the raw curves run along an edge of the arrangement from left to right, and a raw
-/// piece that does.
+/// How often, net, the raw curves run along an edge of the arrangement from left to right, and a
+/// raw piece that does.
 struct Count {
   int net = 0;
   RawKey piece;
@@ -51,7 +51,8 @@ std::vector<Traits::X_monotone_curve_2> monotone_pieces(const std::vector<RawPie
     traits.make_x_monotone_2_object()(to_curve(piece), std::back_inserter(parts));
     for (const CGAL::Object& part : parts) {
       BaseTraits::X_monotone_curve_2 curve;
-      if (CGAL::assign(curve, part)) result.emplace_back(curve, Count{curve.is_directed_right() ? 1 : -1, piece.key});
+      if (CGAL::assign(curve, part))
+        result.emplace_back(curve, Count{curve.is_directed_right() ? 1 : -1, piece.key});
     }
   }
   return result;

@@ -264,8 +264,7 @@ TEST(OffsetCommand, OpenLoopsHaveAnEquidistantOnEitherSide) {
 TEST(OffsetCommand, OpenLoopsLoseWhatComesTooNearToAnotherPart) {
   const TemporaryFolder folder;
   // A hook whose point lies 2 above its shank: at 1.5 the two come too near.
-  const std::string hook =
-      folder.write("hook.poly", "open\n0 0 0\n20 0 0\n20 2 0\n12 2 0\n");
+  const std::string hook = folder.write("hook.poly", "open\n0 0 0\n20 0 0\n20 2 0\n12 2 0\n");
   for (const char* engine : {"production", "reference"}) {
     const json loops = loops_of(hook, "1.5", {"--engine", engine});
     ASSERT_EQ(loops.size(), 1U) << engine;
