@@ -165,7 +165,7 @@ TEST(MachineMessages, AllFaultsOfAFileAreToldInOrder) {
       "[DGT0904]\n"
       "unit = 'wide'\n"
       "       ^~~~~~\n"
-      "m.toml:3:9: error: the setting 'gouge' cannot be true; it takes error|warn [DGT0904]\n"
+      "m.toml:3:9: error: the setting 'gouge' cannot be true; it takes error|warn|trim [DGT0904]\n"
       "gouge = true\n"
       "        ^~~~\n"
       "m.toml:5:1: error: there is no setting 'essi.units'; the nearest is 'essi.unit' [DGT0903]\n"
