@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "post/plan.h"
+#include "post/three_b.h"
 
 namespace dgt {
 namespace {
@@ -70,7 +71,8 @@ class Divider {
       return std::nullopt;
     const auto fitted = fit(piece);
     if (!fitted || !is_read_as(fitted->as_read, piece.exact) ||
-        fitted->mismatch > limits_.mismatch || is_too_small(fitted->arc))
+        fitted->mismatch > limits_.mismatch || is_too_small(fitted->arc) ||
+        !is_countable(fitted->arc))
       return std::nullopt;
     return as_arc(piece, *fitted);
   }
@@ -101,6 +103,34 @@ class Divider {
     }
     if (divisions == 0) return append_line(piece, out);
     append_parts(piece, 2, divisions - 1, out);
+  }
+
+  /// Divides where the arc passes from one quadrant to the next: a counted arc inside a quadrant
+  /// needs no extreme.
+  void append_quadrants(const ArcPiece& piece, int divisions,
+                        std::vector<WrittenPiece>& out) const {
+    const ArcBalls& arc = whole_.arc;
+    const long double begin =
+        std::atan2(arc.from.y.mid - arc.centre.y.mid, arc.from.x.mid - arc.centre.x.mid);
+    const long double past = std::fmod((arc.ccw ? begin : -begin) + 2 * kPi, kPi / 2);
+    // A joint so near an end would be the end.
+    const long double least = 1 / arc.radius.mid;
+    Stop last{piece.from, piece.exact.from, piece.begin};
+    for (long double angle = kPi / 2 - past; angle < piece.end - least; angle += kPi / 2) {
+      if (angle < piece.begin + least) continue;
+      const Stop next = stop_at(angle);
+      append({last.at, next.at, part(last.exact, next.exact), last.angle, next.angle}, divisions,
+             out);
+      last = next;
+    }
+    append({last.at, piece.to, part(last.exact, piece.exact.to), last.angle, piece.end}, divisions,
+           out);
+  }
+
+  /// Whether one arc will do for the piece.
+  bool is_one_arc(const ArcPiece& piece) const {
+    const auto fitted = fit(piece);
+    return fitted && acceptable(*fitted);
   }
 
   void append_parts(const ArcPiece& piece, int count, int divisions,
@@ -135,7 +165,8 @@ class Divider {
 
   bool acceptable(const FittedArc& fitted) const {
     if (fitted.deviation > kWorstDeviation || fitted.mismatch > limits_.mismatch) return false;
-    if (limits_.form == ArcForm::Centre) return !is_too_small(fitted.arc);
+    if (limits_.form == ArcForm::Centre)
+      return !is_too_small(fitted.arc) && is_countable(fitted.arc);
     // What was rounded keeps to the limit as well.
     const WrittenArc& arc = fitted.arc;
     const auto dx = static_cast<long double>(arc.to.x - arc.from.x);
@@ -153,6 +184,13 @@ class Divider {
       return x * x + y * y < limits_.least_radius * limits_.least_radius * (1 + kAngleSlack);
     };
     return limits_.form == ArcForm::Centre && (below(arc.from) || below(arc.to));
+  }
+
+  bool is_countable(const WrittenArc& arc) const {
+    if (!limits_.counted) return true;
+    const auto counted = counted_arc(arc);
+    return counted && counted->count <= limits_.largest && counted->x <= limits_.largest &&
+           counted->y <= limits_.largest;
   }
 
   static WrittenPiece as_arc(const ArcPiece& piece, const FittedArc& fitted) {
@@ -263,13 +301,19 @@ std::vector<WrittenPiece> written_pieces(const ExactArc& arc, const GridPoint& f
   std::vector<WrittenPiece> pieces;
   constexpr int kDivisions = 24;
   const int count = pieces_needed(arc, limits.sweep);
-  if (count == 1) {
+  if (count == 1 && (!limits.counted || divider.is_one_arc(whole))) {
     divider.append(whole, kDivisions, pieces);
   } else if (arc.full_circle) {
     if (auto halves = divider.exact_semicircles(from)) return *std::move(halves);
-    divider.append_parts(whole, count, kDivisions, pieces);
+    if (limits.counted) {
+      divider.append_quadrants(whole, kDivisions, pieces);
+    } else {
+      divider.append_parts(whole, count, kDivisions, pieces);
+    }
   } else if (auto exact = divider.exactly(whole)) {
     pieces.push_back(*std::move(exact));
+  } else if (limits.counted) {
+    divider.append_quadrants(whole, kDivisions, pieces);
   } else {
     divider.append_parts(whole, count, kDivisions, pieces);
   }

@@ -42,7 +42,9 @@ struct ArcLimits {
   ArcForm form = ArcForm::Centre;
   long double sweep = 0;
   double mismatch = 0;
-  long double least_radius = 0;  ///< of a centre-form arc
+  long double least_radius = 0;      ///< of a centre-form arc
+  bool counted = false;              ///< the control ends an arc by counting steps (post/three_b.h)
+  std::int64_t largest = kMaxUnits;  ///< number of a counted arc
 };
 
 /// The pieces of an arc in order, joined in grid points.

@@ -3,69 +3,21 @@
 
 #include <algorithm>
 
+#include "kernel/check.h"
+#include "post/dialect_file.h"
+
 namespace dgt {
 namespace {
 
-Dialect essi() {
-  Dialect d;
-  d.name = "essi";
-  d.form = Form::Essi;
-  d.arc_form = ArcForm::Radius;
-  // The middle of a radius-form arc moves by |1 − 1/cos(θ/2)| for each unit of R: 1 at 120°.
-  d.max_arc_degrees = 120;
-  d.torch_on = "53";
-  d.torch_off = "54";
-  d.torch_on_codes = {"M3", "M4", "M7", "M53", "53"};
-  d.torch_off_codes = {"M5", "M8", "M54", "54"};
-  d.codes = {{"M0", "0"}};
-  d.passed_numbers_below = 101;  // from there on they call subprograms
-  d.dropped_letters = "S";
-  return d;
-}
-
-Dialect plasmatic() {
-  Dialect d;
-  d.name = "plasmatic";
-  d.header = {"G21", "G91"};
-  d.footer = {"M02"};
-  d.torch_on = "M07";
-  d.torch_off = "M08";
-  d.torch_on_codes = {"M3", "M4", "M7", "53"};
-  d.torch_off_codes = {"M5", "M8", "54"};
-  d.codes = {{"M0", "M00"}, {"0", "M00"}};
-  d.dropped_letters = "S";
-  d.writes_feed = true;
-  d.dwell_word = "G04 X";
-  return d;
-}
-
-Dialect linuxcnc() {
-  Dialect d;
-  d.name = "linuxcnc";
-  d.positions = Positions::Absolute;
-  d.unit = Rational(1, 1000);
-  // LinuxCNC and GRBL accept more; what keeps to one step is accepted everywhere.
-  d.radius_mismatch = Rational(1, 1000);
-  // Below RADIUS_TOLERANCE_MM, 0.00005 inch, LinuxCNC refuses a "Zero-radius arc".
-  d.least_radius = Rational(127, 100000);
-  d.header = {"G21 G90 G17 G40 G91.1"};
-  d.footer = {"M02"};
-  d.torch_on = "M07";
-  d.torch_off = "M08";
-  d.torch_on_codes = {"M7", "53"};
-  d.torch_off_codes = {"M8", "54"};
-  d.own_torch_on_codes = {"M3", "M4"};
-  d.own_torch_off_codes = {"M5"};
-  d.codes = {{"0", "M0"}};
-  // Those its interpreter takes without a further word. M100 to M199 are programs of the user's and
-  // known to it only where they exist.
-  d.known_codes = {{0, 1}, {3, 9}, {19, 19}, {48, 53}, {60, 60}};
-  d.passed_letters = "ST";
-  d.writes_feed = true;
-  d.needs_feed = true;
-  d.writes_height = true;
-  d.dwell_word = "G04 P";
-  return d;
+/// What is shipped has no faults; the tests read each file for itself.
+std::vector<Dialect> shipped() {
+  std::vector<Dialect> all;
+  for (const ShippedDialect& one : shipped_dialects()) {
+    DialectFile file = read_dialect(std::string(one.name), one.text, all);
+    DGT_CHECK(file.faults.empty());
+    all.push_back(std::move(file.dialect));
+  }
+  return all;
 }
 
 /// `M07` as `M7`.
@@ -114,7 +66,7 @@ TorchAct torch_act_of(const Dialect& dialect, const std::string& code) {
 }  // namespace
 
 const std::vector<Dialect>& dialects() {
-  static const std::vector<Dialect> all{essi(), plasmatic(), linuxcnc()};
+  static const std::vector<Dialect> all = shipped();
   return all;
 }
 
@@ -130,7 +82,7 @@ CodeMeaning meaning_of(const Dialect& dialect, std::string_view code) {
   if (plain == "M2" || plain == "M30") return {Kind::End, "", TorchAct::None};
   const TorchAct torch = torch_act_of(dialect, plain);
   if (is_m_code_of(dialect.user_codes, plain))
-    return {Kind::Words, dialect.form == Form::Essi ? plain.substr(1) : plain, torch};
+    return {Kind::Words, dialect.form == Form::Gcode ? plain : plain.substr(1), torch};
   if (contains(dialect.torch_on_codes, plain)) return {Kind::Words, dialect.torch_on, torch};
   if (contains(dialect.torch_off_codes, plain)) return {Kind::Words, dialect.torch_off, torch};
   for (const CodeWord& word : dialect.codes)

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "post/plan.h"
 
 namespace dgt {
 
-/// The blocks as G-code: `G00 G01 G02 G03 G04`, X and Y as increments (a zero word is left out) or
-/// absolute (both words, always), I and J from the written start to the centre, F where it changes.
-[[nodiscard]] std::string gcode_text(const Plan& plan, const Toolpath& path,
-                                     const Dialect& dialect);
+/// The blocks as G-code: positions as increments or absolute, arcs by centre or radius, F where it
+/// changes, spelled as Dialect::spelling says. A radius is negative for more than half a turn.
+[[nodiscard]] std::string gcode_text(const Plan& plan, const Toolpath& path, const Dialect& dialect,
+                                     std::vector<WriteFault>& faults);
 
 }  // namespace dgt

@@ -80,23 +80,10 @@ std::optional<int> code_number(std::string_view text, Form form) {
   return whole && number >= 0 && number <= most ? std::optional(number) : std::nullopt;
 }
 
-/// Codes and ranges between blanks or commas.
 bool set_user_codes(Dialect& d, std::string_view text) {
-  std::vector<CodeRange> codes;
-  constexpr std::string_view kBetween = " ,";
-  for (std::size_t at = text.find_first_not_of(kBetween); at != std::string_view::npos;
-       at = text.find_first_not_of(kBetween, at)) {
-    const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
-    const std::string_view word = text.substr(at, end - at);
-    const std::size_t dash = word.find('-');
-    const auto first = code_number(word.substr(0, dash), d.form);
-    const auto last =
-        dash == std::string_view::npos ? first : code_number(word.substr(dash + 1), d.form);
-    if (!first || !last || *first > *last) return false;
-    codes.push_back({*first, *last});
-    at = end;
-  }
-  d.user_codes = std::move(codes);
+  auto codes = code_ranges(text, d.form);
+  if (!codes) return false;
+  d.user_codes = *std::move(codes);
   return true;
 }
 
@@ -129,10 +116,18 @@ constexpr std::array kRules{
     Rule{{"torch_off", "\"M5\""},
          [](Dialect& d, std::string_view text) { return set_words(d.torch_off, text); }},
     Rule{{"pass_codes", "\"M21 M100-M199\""}, set_user_codes},
-    Rule{{"dwell_unit", "s|ms"},
+    Rule{{"dwell_unit", "s|0.1s|ms"},
          [](Dialect& d, std::string_view text) {
            return choose<DwellUnit>(d.dwell_unit, text,
-                                    {{"s", DwellUnit::Seconds}, {"ms", DwellUnit::Milliseconds}});
+                                    {{"s", DwellUnit::Seconds},
+                                     {"0.1s", DwellUnit::Tenths},
+                                     {"ms", DwellUnit::Milliseconds}});
+         }},
+    Rule{{"compensation", "computed|control"},
+         [](Dialect& d, std::string_view text) {
+           return choose<Compensation>(
+               d.compensation, text,
+               {{"computed", Compensation::Computed}, {"control", Compensation::Control}});
          }},
     Rule{{"max_arc_degrees", "10…180° (R: 10…150°)"}, set_arc_degrees},
     Rule{{"radius_mismatch", "0…1 mm"},
@@ -172,6 +167,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::span<const SettingKey> dialect_settings() { return kKeys; }
+
+std::optional<std::vector<CodeRange>> code_ranges(std::string_view text, Form form) {
+  std::vector<CodeRange> codes;
+  constexpr std::string_view kBetween = " ,";
+  for (std::size_t at = text.find_first_not_of(kBetween); at != std::string_view::npos;
+       at = text.find_first_not_of(kBetween, at)) {
+    const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const std::size_t dash = word.find('-');
+    const auto first = code_number(word.substr(0, dash), form);
+    const auto last =
+        dash == std::string_view::npos ? first : code_number(word.substr(dash + 1), form);
+    if (!first || !last || *first > *last) return std::nullopt;
+    codes.push_back({*first, *last});
+    at = end;
+  }
+  return codes;
+}
 
 tl::expected<Setting, SettingFault> parse_setting(std::string_view text) {
   const std::size_t equals = text.find('=');

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "post/dialect.h"
 
@@ -38,6 +40,9 @@ struct SettingKey {
 };
 /// The keys of a dialect.
 [[nodiscard]] std::span<const SettingKey> dialect_settings();
+
+/// Codes and ranges of them between blanks or commas: `M21 M100-M199`.
+[[nodiscard]] std::optional<std::vector<CodeRange>> code_ranges(std::string_view text, Form form);
 
 /// Splits `key=value` at the first `=`.
 [[nodiscard]] tl::expected<Setting, SettingFault> parse_setting(std::string_view text);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "post/arc_pieces.h"
+#include "post/program_text.h"
 
 namespace dgt {
 namespace {
@@ -26,9 +27,12 @@ double error_bound(std::int64_t written, const Ball& exact) {
 
 class Planner {
  public:
-  Planner(const Toolpath& path, const Dialect& dialect)
+  using Words = std::map<std::size_t, std::vector<std::string>>;
+
+  Planner(const Toolpath& path, const Dialect& dialect, const Words& words)
       : path_(path),
         dialect_(dialect),
+        words_(words),
         grid_(dialect.unit,
               dialect.positions == Positions::Absolute ? RationalPoint{} : path.start),
         limits_{
@@ -38,12 +42,18 @@ class Planner {
             dialect.arc_form == ArcForm::Centre
                 ? nearest_double(Rational(dialect.radius_mismatch / dialect.unit)) * (1 + 0x1p-50)
                 : std::numeric_limits<double>::infinity(),
-            nearest_double(Rational(dialect.least_radius / dialect.unit))} {}
+            nearest_double(Rational(dialect.least_radius / dialect.unit)),
+            dialect.form == Form::ThreeB,
+            largest_units(dialect)} {}
 
   Plan run() {
     decide_torch();
     begin();
-    for (move_ = 0; move_ < path_.moves.size(); ++move_) write(path_.moves[move_]);
+    for (move_ = 0; move_ < path_.moves.size(); ++move_) {
+      emit_words_before();
+      write(path_.moves[move_]);
+    }
+    emit_words_before();
     switch_torch(false);
     return finish();
   }
@@ -55,7 +65,11 @@ class Planner {
 
   void fault(FaultKind kind, std::string code = {}) {
     const bool at_move = move_ < path_.moves.size();
-    plan_.faults.push_back({kind, move_, at_move ? move().source : SourcePlace{}, std::move(code)});
+    WriteFault& added = plan_.faults.emplace_back();
+    added.kind = kind;
+    added.move = move_;
+    if (at_move) added.place = move().source;
+    added.code = std::move(code);
   }
 
   void note_once(NoteKind kind, std::string value = {}) {
@@ -77,6 +91,12 @@ class Planner {
 
   void emit_words(const std::string& words) {
     if (!words.empty()) emit(BlockKind::Words).words = words;
+  }
+
+  void emit_words_before() {
+    const auto found = words_.find(move_);
+    if (found == words_.end()) return;
+    for (const std::string& line : found->second) emit_words(line);
   }
 
   // --- the torch
@@ -110,6 +130,13 @@ class Planner {
     emit_words(on ? dialect_.torch_on : dialect_.torch_off);
   }
 
+  /// Words about several rapids in a row.
+  void switch_rapids(bool on) {
+    if (on == runs_rapid_) return;
+    runs_rapid_ = on;
+    emit_words(on ? dialect_.rapids_begin : dialect_.rapids_end);
+  }
+
   // --- moves
 
   void begin() {
@@ -120,7 +147,8 @@ class Planner {
     if (!at) return fault(FaultKind::OutOfRange);
     at_ = *at;
     record_position(at_, exact_at_);
-    if (dialect_.positions == Positions::Incremental || path_.moves.empty()) return;
+    plan_.start = at_;
+    if (!dialect_.rapid_to_start || path_.moves.empty()) return;
     emit(BlockKind::Rapid);
     ++plan_.report.rapids;
   }
@@ -208,7 +236,9 @@ class Planner {
       ++plan_.report.dropped;
       return;
     }
+    if (m.cuts()) switch_rapids(false);
     switch_torch(m.cuts());
+    if (!m.cuts()) switch_rapids(true);
     Block& block = emit(m.cuts() ? BlockKind::Line : BlockKind::Rapid);
     block.path.to = to;
     block.has_height = rises;
@@ -244,6 +274,7 @@ class Planner {
       ++report.dropped;
       return;
     }
+    switch_rapids(false);
     switch_torch(true);
     const bool is_arc = piece.kind == WrittenPiece::Kind::Arc;
     Block& block = emit(is_arc ? BlockKind::Arc : BlockKind::Line);
@@ -277,6 +308,7 @@ class Planner {
 
   const Toolpath& path_;
   const Dialect& dialect_;
+  const Words& words_;
   Grid grid_;
   ArcLimits limits_;
 
@@ -287,6 +319,7 @@ class Planner {
   bool height_known_ = false;
   bool switches_torch_ = false;
   bool torch_is_on_ = false;
+  bool runs_rapid_ = false;
   std::optional<std::size_t> put_out_by_;  // the program's own code
   bool ended_ = false;
 
@@ -299,6 +332,9 @@ class Planner {
 
 }  // namespace
 
-Plan plan(const Toolpath& path, const Dialect& dialect) { return Planner(path, dialect).run(); }
+Plan plan(const Toolpath& path, const Dialect& dialect,
+          const std::map<std::size_t, std::vector<std::string>>& words) {
+  return Planner(path, dialect, words).run();
+}
 
 }  // namespace dgt

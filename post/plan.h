@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "post/arc_fit.h"
@@ -31,11 +33,14 @@ struct Block {
 };
 
 struct Plan {
+  GridPoint start;  ///< where the program begins
   std::vector<Block> blocks;
   WriteReport report;
   std::vector<WriteFault> faults;
 };
 
-[[nodiscard]] Plan plan(const Toolpath& path, const Dialect& dialect);
+/// `words`: further lines to be written before a move, those of the number of moves at the end.
+[[nodiscard]] Plan plan(const Toolpath& path, const Dialect& dialect,
+                        const std::map<std::size_t, std::vector<std::string>>& words = {});
 
 }  // namespace dgt

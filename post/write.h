@@ -17,12 +17,23 @@ struct WriteFault {
     HeightImpossible,  ///< a Z in a dialect without heights
     DwellImpossible,   ///< a pause in a dialect without pauses
     OutOfRange,        ///< a coordinate or radius of more than kMaxUnits units
-    MoveAfterEnd       ///< a move follows the end of the program
+    MoveAfterEnd,      ///< a move follows the end of the program
+    BeyondLargest,     ///< a number of the block passes Dialect::largest
+    LineTooLong,       ///< the block passes Dialect::longest_line
+    // Of an offset by the control (post/control_offset.h); `move` is the contour's first:
+    KerfImpossible,  ///< the dialect has no words for it
+    LeadLacking,     ///< no straight cut leads to the contour
+    LeadTooShort,    ///< it is `measure` long, `limit` at most
+    OffsetsDiffer,   ///< U within the contour
+    BeginsInCorner,  ///< in one the tool cuts from inside
+    OverlapLacking   ///< `measure` of the first element would stay uncut
   };
-  Kind kind;
+  Kind kind = Kind::UnknownCode;
   std::size_t move = 0;  ///< index into Toolpath::moves; their number: the start
   SourcePlace place;
-  std::string code;  ///< of UnknownCode
+  std::string code;    ///< of UnknownCode
+  double measure = 0;  ///< mm
+  double limit = 0;    ///< mm
 };
 
 /// What the user should know although it was written.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "apps/cli/machine_options.h"
 #include "apps/cli/session.h"
@@ -17,7 +18,7 @@ constexpr const char* kList = "list";
 
 struct CompileOptions {
   Request request;
-  std::string post;
+  PostOptions post;
 };
 
 /// With four decimals, never below `value`.
@@ -27,19 +28,31 @@ std::string rounded_up(double value) {
 }
 
 ExitCode run(const CompileOptions& options, const Console& console) {
-  if (options.post == kList) {
-    return write_result(options.request.output, names_of_dialects("\n") + "\n", console);
+  if (options.post.dialect == kList) {
+    return write_result(options.request.output, list_of_dialects(console.language()), console);
   }
   return write_for(options.request, options.post, console);
 }
 
 }  // namespace
 
-ExitCode write_for(const Request& request, const std::string& dialect_name,
-                   const Console& console) {
-  const auto settings = settle(request.source, console, dialect_name);
+void add_compensation(CLI::App& verb, PostOptions& options) {
+  static const std::map<std::string, Compensation> kChoices = {{"computed", Compensation::Computed},
+                                                               {"control", Compensation::Control}};
+  verb.add_option(
+          "--compensation", options.compensation,
+          "Who offsets contours with W; computed (the default): the equidistant is "
+          "written; control: the contour with G41 or G42, 29 or 30 and a straight cut to it")
+      ->option_text("computed|control")
+      ->transform(CLI::CheckedTransformer(kChoices).description(""))
+      ->group("Machine");
+}
+
+ExitCode write_for(const Request& request, const PostOptions& post, const Console& console) {
+  auto settings = settle(request.source, console, post.dialect);
   if (!settings) return settings.error();
-  const Dialect& dialect = settings->dialect;
+  Dialect& dialect = settings->dialect;
+  if (post.compensation) dialect.compensation = *post.compensation;
   if (dialect.name.empty()) {
     console.error(Text::NoDialect, {names_of_dialects(", ")});
     return ExitCode::WrongUsage;
@@ -67,14 +80,15 @@ void add_compile(CLI::App& app, Job& job) {
       "and exit code 1.\n\nExample:\n  dgt compile 1P.bgt --post essi -o 1P.ess");
   add_request(*verb, options->request, "The NC program");
   verb->get_option("FILE")->required(false);  // not for the list
-  verb->add_option("--post", options->post,
-                   "The dialect to write, unless the machine file chooses it, or list to name them "
-                   "all: " +
+  verb->add_option("--post", options->post.dialect,
+                   "The dialect to write, unless the machine file chooses it: a file of one's own, "
+                   "list to tell of all, or " +
                        names_of_dialects(", "))
-      ->option_text("NAME|list")
+      ->option_text("NAME|FILE.toml|list")
       ->group("Machine");
+  add_compensation(*verb, options->post);
   verb->callback([options, &job] {
-    if (options->request.file.empty() && options->post != kList) {
+    if (options->request.file.empty() && options->post.dialect != kList) {
       throw CLI::RequiredError("FILE");
     }
     job.run = [options, &job] { return run(*options, job.messages.console()); };

@@ -8,11 +8,11 @@ namespace {
 
 struct ConvertOptions {
   Request request;
-  std::string to;
+  PostOptions post;
 };
 
 ExitCode run(const ConvertOptions& options, const Console& console) {
-  return write_for(options.request, options.to, console);
+  return write_for(options.request, options.post, console);
 }
 
 }  // namespace
@@ -27,10 +27,12 @@ void add_convert(CLI::App& app, Job& job) {
       "written here comes back byte for byte when it is read and written again.\n\nExample:\n"
       "  dgt convert star.ess --to linuxcnc -o star.ngc");
   add_request(*verb, options->request, "The NC program");
-  verb->add_option("--to", options->to, "The dialect to write: " + names_of_dialects(", "))
+  verb->add_option("--to", options->post.dialect,
+                   "The dialect to write: a file of one's own, or " + names_of_dialects(", "))
       ->required()
-      ->option_text("NAME")
+      ->option_text("NAME|FILE.toml")
       ->group("Machine");
+  add_compensation(*verb, options->post);
   set_job<ConvertOptions>(verb, job, options, run);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/cli/machine_options.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace dgt::cli {
@@ -31,6 +33,14 @@ Step<std::vector<Setting>> parsed(const std::vector<std::string>& texts, const C
   return settings;
 }
 
+Step<Dialect> dialect_of_file(const std::string& name, const Console& console) {
+  auto read = read_dialect_file(name);
+  if (!read) return tl::unexpected(report(read.error(), console));
+  console.show(read->bag, {read->file});
+  if (read->bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
+  return std::move(read->dialect);
+}
+
 std::string help_of_settings() {
   std::string help =
       "Changes one setting, whatever the machine file says; may be given again, the later wins. "
@@ -46,11 +56,6 @@ std::string help_of_settings() {
 Step<Settings> settle(const SourceOptions& options, const Console& console,
                       const std::string& post) {
   SettingSources sources;
-  sources.post = find_dialect(post);
-  if (!post.empty() && sources.post == nullptr) {
-    console.error(Text::UnknownDialect, {post, names_of_dialects(", ")});
-    return tl::unexpected(ExitCode::WrongUsage);
-  }
   auto set = parsed(options.machine.settings, console);
   if (!set) return tl::unexpected(set.error());
   sources.set = *std::move(set);
@@ -59,6 +64,19 @@ Step<Settings> settle(const SourceOptions& options, const Console& console,
     auto read = read_machine_file(options.machine.file);
     if (!read) return tl::unexpected(report(read.error(), console));
     sources.machine = &machine.emplace(*std::move(read));
+  }
+  const std::string name = post.empty() ? dialect_name(sources) : post;
+  std::optional<Dialect> dialect;
+  if (names_dialect_file(name)) {
+    auto read = dialect_of_file(name, console);
+    if (!read) return tl::unexpected(read.error());
+    sources.post = &dialect.emplace(*std::move(read));
+  } else if (!post.empty()) {
+    sources.post = find_dialect(post);
+    if (sources.post == nullptr) {
+      console.error(Text::UnknownDialect, {post, names_of_dialects(", ")});
+      return tl::unexpected(ExitCode::WrongUsage);
+    }
   }
   auto settings = settle(sources);
   if (machine) console.show(machine->bag, {machine->file});
@@ -77,6 +95,15 @@ void add_machine_options(CLI::App& verb, MachineOptions& options) {
       ->option_text("KEY=VALUE")
       ->allow_extra_args(false)
       ->group("Machine");
+}
+
+std::string list_of_dialects(Language language) {
+  std::string list;
+  for (const Dialect& dialect : dialects()) {
+    const std::string& about = language == Language::Russian ? dialect.about_ru : dialect.about;
+    list += fmt::format("{:<12}{}\n", dialect.name, about);
+  }
+  return list;
 }
 
 std::string names_of_dialects(std::string_view separator) {

@@ -17,6 +17,9 @@ void add_machine_options(CLI::App& verb, MachineOptions& options);
 [[nodiscard]] Step<Settings> settle(const SourceOptions& options, const Console& console,
                                     const std::string& post = {});
 
+/// A line for each dialect: its name, and what it is.
+[[nodiscard]] std::string list_of_dialects(Language language);
+
 /// `essi`, `plasmatic` and so on.
 [[nodiscard]] std::string names_of_dialects(std::string_view separator);
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lang/text/reading.h"
+#include "post/dialect_file.h"
 
 namespace dgt {
 namespace {
@@ -152,8 +153,10 @@ struct Rule {
 };
 
 constexpr std::array kRules{
-    Rule{{kDialect, "essi|plasmatic|linuxcnc"},
-         [](Settings&, std::string_view text) { return find_dialect(text) != nullptr; }},
+    Rule{{kDialect, "essi|essi-iso|plasmatic|linuxcnc|fanuc-wire|grbl|3b|FILE.toml"},
+         [](Settings&, std::string_view text) {
+           return find_dialect(text) != nullptr || names_dialect_file(text);
+         }},
     Rule{{"offset_side", "auto|left|right"}, set_offset_side},
     Rule{{"join_tolerance", "≥ 0 mm"}, set_join_tolerance},
     Rule{{"gouge", "error|warn|trim"}, set_gouge},
@@ -277,19 +280,24 @@ Settings with_file(Settings settings, MachineFile& machine) {
   return settings;
 }
 
-/// Null when nothing chooses one, or something that is none.
-const Dialect* chosen(const SettingSources& sources) {
-  if (sources.post != nullptr) return sources.post;
-  std::string name;
-  if (sources.machine != nullptr) {
-    for (const MachineEntry& entry : sources.machine->entries) {
-      if (entry.key == kDialect && !entry.values.empty()) name = entry.values.front();
-    }
+// --- a dialect file
+
+Diagnostic diagnostic_of(const DialectFileFault& fault, const SourceFile* file) {
+  using Kind = DialectFileFault::Kind;
+  const Range range{file, fault.span.begin, fault.span.end};
+  switch (fault.kind) {
+    case Kind::Syntax:
+      return {Message::MachineSyntax, range, {fault.key}};
+    case Kind::KeyTwice:
+      return {Message::MachineKeyTwice, range, {fault.key}};
+    case Kind::UnknownKey:
+      return {Message::UnknownDialectKey, range, {fault.key, fault.nearest}};
+    case Kind::KeyLacking:
+      return {Message::DialectKeyLacking, range, {fault.key, fault.expected}};
+    case Kind::BadValue:
+      break;
   }
-  for (const Setting& setting : sources.set) {
-    if (setting.key == kDialect) name = setting.value;
-  }
-  return find_dialect(name);
+  return {Message::BadDialectValue, range, {fault.key, std::string(range.text()), fault.expected}};
 }
 
 }  // namespace
@@ -348,9 +356,43 @@ FileResult<MachineFile> read_machine_file(const std::string& name) {
   return machine;
 }
 
+bool names_dialect_file(std::string_view name) { return name.ends_with(".toml"); }
+
+FileResult<DialectSource> read_dialect_file(const std::string& name) {
+  const auto bytes = read_file(name);
+  if (!bytes) return tl::unexpected(bytes.error());
+  DialectSource source;
+  source.file = decode_source(name, *bytes, std::nullopt);
+  report_reading(*source.file, source.bag);
+  DialectFile read = read_dialect(fs::path(name).stem().string(), source.file->text());
+  for (const DialectFileFault& fault : read.faults)
+    source.bag.add(diagnostic_of(fault, source.file.get()));
+  source.dialect = std::move(read.dialect);
+  source.bag.sort();
+  return source;
+}
+
+std::string dialect_name(const SettingSources& sources) {
+  std::string name;
+  if (sources.machine != nullptr) {
+    for (const MachineEntry& entry : sources.machine->entries) {
+      if (entry.key != kDialect || entry.values.empty()) continue;
+      name = entry.values.front();
+      if (names_dialect_file(name))
+        name = (fs::path(sources.machine->file->name()).parent_path() / name).string();
+    }
+  }
+  for (const Setting& setting : sources.set) {
+    if (setting.key == kDialect) name = setting.value;
+  }
+  return name;
+}
+
 tl::expected<Settings, SettingFault> settle(const SettingSources& sources) {
   Settings settings;
-  if (const Dialect* const dialect = chosen(sources)) settings.dialect = *dialect;
+  const Dialect* const chosen =
+      sources.post != nullptr ? sources.post : find_dialect(dialect_name(sources));
+  if (chosen != nullptr) settings.dialect = *chosen;
   if (sources.machine != nullptr) settings = with_file(std::move(settings), *sources.machine);
   for (const Setting& setting : sources.set) {
     auto changed = with_setting(std::move(settings), setting);

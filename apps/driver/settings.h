@@ -38,12 +38,25 @@ struct MachineFile {
 };
 [[nodiscard]] FileResult<MachineFile> read_machine_file(const std::string& name);
 
+/// A dialect file, read and judged.
+struct DialectSource {
+  std::shared_ptr<const SourceFile> file;
+  Dialect dialect;    ///< called as the file is, without folders and extension
+  DiagnosticBag bag;  ///< with an error the dialect is not to be used
+};
+[[nodiscard]] FileResult<DialectSource> read_dialect_file(const std::string& name);
+/// Whether the name of a dialect is that of a file: it ends in `.toml`.
+[[nodiscard]] bool names_dialect_file(std::string_view name);
+
 /// Where settings come from; the later win.
 struct SettingSources {
   MachineFile* machine = nullptr;  ///< its bag takes what is wrong with its settings
   std::vector<Setting> set;        ///< `--set`, in order
   const Dialect* post = nullptr;   ///< chosen by name
 };
+/// The dialect that the machine file and `set` choose, a file's name seen from where it is said;
+/// empty: none.
+[[nodiscard]] std::string dialect_name(const SettingSources& sources);
 
 /// Starts from the dialect that the sources choose and applies the machine file, then `set`. A
 /// fault in `set` ends it; those of the file are collected, and what is faulty changes nothing.

@@ -30,6 +30,12 @@ Range range_of(const SourcePlace& place, const Compilation& program) {
   return {&file, offset, offset};
 }
 
+/// With three decimals at most.
+std::string millimetres(double value) {
+  constexpr int kDecimals = 3;
+  return to_short_decimal(Rational(value), kDecimals);
+}
+
 Diagnostic diagnostic_of(const WriteFault& fault, const Dialect& dialect, Range range) {
   switch (fault.kind) {
     case WriteFault::Kind::UnknownCode:
@@ -40,6 +46,23 @@ Diagnostic diagnostic_of(const WriteFault& fault, const Dialect& dialect, Range 
       return {Message::DwellNotInDialect, range, {dialect.name}};
     case WriteFault::Kind::OutOfRange:
       return {Message::TooLargeForDialect, range, {to_short_decimal(dialect.unit)}};
+    case WriteFault::Kind::BeyondLargest:
+      return {Message::BeyondLargest, range, {dialect.name, to_short_decimal(*dialect.largest)}};
+    case WriteFault::Kind::LineTooLong:
+      return {
+          Message::DialectLineTooLong, range, {dialect.name, std::to_string(dialect.longest_line)}};
+    case WriteFault::Kind::KerfImpossible:
+      return {Message::KerfNotInDialect, range, {dialect.name}};
+    case WriteFault::Kind::LeadLacking:
+      return {Message::LeadLacking, range, {}};
+    case WriteFault::Kind::LeadTooShort:
+      return {Message::LeadTooShort, range, {millimetres(fault.measure), millimetres(fault.limit)}};
+    case WriteFault::Kind::OffsetsDiffer:
+      return {Message::OffsetsDiffer, range, {}};
+    case WriteFault::Kind::BeginsInCorner:
+      return {Message::BeginsInCorner, range, {}};
+    case WriteFault::Kind::OverlapLacking:
+      return {Message::OverlapLacking, range, {millimetres(fault.measure)}};
     case WriteFault::Kind::MoveAfterEnd:
       break;
   }

@@ -112,7 +112,8 @@ TEST(MachineSettings, AFaultInSetIsReturned) {
   const auto fault = [](const Setting& setting) { return settle({nullptr, {setting}}).error(); };
   EXPECT_EQ(fault({"max_mves", "1"}).nearest, "max_moves");
   EXPECT_EQ(fault({"torch_of", "1"}).nearest, "torch_off");
-  EXPECT_EQ(fault({"dialect", "klingon"}).expected, "essi|plasmatic|linuxcnc");
+  EXPECT_EQ(fault({"dialect", "klingon"}).expected,
+            "essi|essi-iso|plasmatic|linuxcnc|fanuc-wire|grbl|3b|FILE.toml");
   for (const Setting& setting : {Setting{"max_moves", "0"},
                                  {"max_moves", "1.5"},
                                  {"max_moves", "1000000000001"},
@@ -194,7 +195,8 @@ TEST(MachineMessages, WhatIsOfTheWrongTypeIsShownAsItStands) {
   EXPECT_EQ(value("unit = nan"), "nan; it takes 0.000001…100 mm");
   EXPECT_EQ(value("macro_path = 5"), "5; it takes [\"/a\", \"/b\"], /a:/b");
   EXPECT_EQ(value("macro_path = [5]"), "[5]; it takes [\"/a\", \"/b\"], /a:/b");
-  EXPECT_EQ(value("dialect = \"Essi\""), "\"Essi\"; it takes essi|plasmatic|linuxcnc");
+  EXPECT_EQ(value("dialect = \"Essi\""),
+            "\"Essi\"; it takes essi|essi-iso|plasmatic|linuxcnc|fanuc-wire|grbl|3b|FILE.toml");
   EXPECT_EQ(value("max_moves = -1"), "-1; it takes 1…1000000000000");
 }
 
@@ -254,7 +256,7 @@ TEST(SettingsTable, NamesEveryDialect) {
   std::string names;
   for (const Dialect& dialect : dialects()) names += (names.empty() ? "" : "|") + dialect.name;
   EXPECT_EQ(all_settings().front().key, "dialect");
-  EXPECT_EQ(all_settings().front().expected, names);
+  EXPECT_EQ(all_settings().front().expected, names + "|FILE.toml");
 }
 
 TEST(MachineExample, TheWireMachineOfTheCorpusIsReadWhole) {

@@ -100,6 +100,94 @@ TEST(WriterMessages, AMoveBehindTheEndAndOneThatIsTooLarge) {
             "1:1 the move is too large to be written in steps of 0.1 mm [DGT0804]\n");
 }
 
+TEST(WriterMessages, LimitsOfTheControl) {
+  EXPECT_EQ(rendered("K1 X0 Y0 X2000 Y0\n", "3b"),
+            "part.bgt:1:10: error: the move needs a number that the dialect 3b does not take; its "
+            "largest is 999.999 mm [DGT0810]\n"
+            "K1 X0 Y0 X2000 Y0\n"
+            "         ^\n");
+  EXPECT_EQ(rendered("K1 X0 Y0 X2000 Y0\n", "3b", Language::Russian),
+            "part.bgt:1:10: error: для перемещения нужно число, которого диалект 3b не принимает; "
+            "самое большое — 999.999 мм [DGT0810]\n"
+            "K1 X0 Y0 X2000 Y0\n"
+            "         ^\n");
+}
+
+TEST(WriterMessages, ALineThatTheControlCannotHold) {
+  Dialect dialect = *find_dialect("grbl");
+  dialect.torch_on = std::string(80, 'M');
+  const support::TemporaryFolder folder;
+  const auto made = compile_file(folder.write("part.bgt", "F1\nK1 X0 Y0 X1 Y0\n"), {});
+  const WriteResult written = write(*made->result.path, dialect);
+  EXPECT_THAT(render(explain(written, dialect, *made)),
+              HasSubstr("part.bgt:2:10: error: the line for this is longer than the 79 characters "
+                        "that the dialect grbl takes [DGT0811]"));
+}
+
+// --- offset by the control
+
+/// A plate of 40 × 30 that is begun on the middle of its lower side.
+std::string plate(const std::string& w, const std::string& begin, const std::string& way) {
+  return "L1=Y0\nL2=X40\nL3=Y30\nL4=X0\nC1=X20 Y0 R5\nG54 X20 Y-5\nF100\nP1=" + begin + "\nK1 W" +
+         w + " " + way + "\n";
+}
+
+std::string told_by_control(const std::string& program, Dialect dialect,
+                            Language language = Language::English) {
+  dialect.compensation = Compensation::Control;
+  const support::TemporaryFolder folder;
+  const auto made = compile_file(folder.write("part.bgt", program), {});
+  EXPECT_FALSE(made->bag.has_errors()) << render(made->bag);
+  const std::string shown =
+      render(explain(write(*made->result.path, dialect), dialect, *made), {language});
+  return shown.substr(std::min(shown.find("part.bgt"), shown.size()));
+}
+
+TEST(ControlMessages, ADialectWithoutWordsForIt) {
+  const std::string program = plate("0.2", "X20 Y-5", "P1 L1 L-2 L-3 L4 L1 P1");
+  EXPECT_THAT(told_by_control(program, *find_dialect("linuxcnc")), IsEmpty());
+  EXPECT_THAT(told_by_control(program, *find_dialect("grbl")),
+              HasSubstr("error: a control that reads grbl cannot offset contours; write this with "
+                        "'--compensation computed' [DGT0812]"));
+  EXPECT_THAT(told_by_control(program, *find_dialect("3b"), Language::Russian),
+              HasSubstr("error: станок с диалектом 3b не строит эквидистанту; для него нужен "
+                        "--compensation computed [DGT0812]"));
+}
+
+TEST(ControlMessages, TheStraightCutBeforeTheContour) {
+  const Dialect& linuxcnc = *find_dialect("linuxcnc");
+  EXPECT_THAT(
+      told_by_control(plate("4.9999", "X20 Y-5", "P1 L1 L-2 L-3 L4 L1 P1"), linuxcnc),
+      HasSubstr("error: the straight cut before the contour is 5 mm long; the control needs "
+                "more than its offset of 5 mm [DGT0814]"));
+  EXPECT_THAT(
+      told_by_control(plate("0.2", "X20 Y-5", "G0 P1 L1 L-2 L-3 L4 L1 P1"), linuxcnc),
+      HasSubstr("error: the control comes to its offset on a straight cut before the contour, "
+                "and there is none; begin with a point beside the first element "
+                "[DGT0813]"));
+}
+
+TEST(ControlMessages, WhatAControlWouldCutWrong) {
+  const Dialect& linuxcnc = *find_dialect("linuxcnc");
+  EXPECT_THAT(
+      told_by_control(plate("0.2", "X20 Y-5", "P1 L1 L-2 L-3 L4 U0.3 L1 P1"), linuxcnc),
+      HasSubstr("error: the offset changes within the contour; the control has one for all of it "
+                "[DGT0815]"));
+  const std::string window =
+      "L1=Y0\nL2=X40\nL3=Y30\nL4=X0\nG54 X20 Y15\nF100\nK1 W0.2 L1 L-2 L-3 L4 L1 L-2\n";
+  EXPECT_THAT(
+      told_by_control(window, linuxcnc),
+      HasSubstr("error: the contour begins in an inside corner, and offset by the control the tool "
+                "would cut into the part there; begin between the ends of an element [DGT0816]"));
+  const std::string disc = "C1=X0 Y0 R5\nP1=X0 Y-9\nG54 X0 Y-9\nF100\nK1 W0.2 P1 C1 P1\n";
+  EXPECT_THAT(
+      told_by_control(disc, linuxcnc),
+      HasSubstr(
+          "error: the control comes to the contour 0.201 mm behind its beginning; to cut that "
+          "at the end, the contour has to be closed and its first element a longer line "
+          "[DGT0817]"));
+}
+
 TEST(WriterMessages, PointIntoTheMacroThatAskedForIt) {
   const support::TemporaryFolder folder;
   folder.write("mac/lift.mac", "P1=X10 Y0\nK1 P1 Z5 X20 Y0\n");

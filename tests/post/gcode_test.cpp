@@ -228,7 +228,7 @@ TEST(LinuxcncText, ACircleAboveTheLeastRadiusStaysTwoArcs) {
 }
 
 TEST(Dialects, AreFoundByName) {
-  EXPECT_EQ(dialects().size(), 3u);
+  EXPECT_EQ(dialects().size(), 7u);
   EXPECT_EQ(find_dialect("fanuc"), nullptr);
 }
 

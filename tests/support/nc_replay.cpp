@@ -39,12 +39,6 @@ double sweep_between(const Spot& c, const Spot& a, const Spot& b, bool ccw) {
   return angle;
 }
 
-void finish_arc(Step& s) {
-  s.radius = std::hypot(s.from.x - s.centre.x, s.from.y - s.centre.y);
-  s.mismatch = std::fabs(s.radius - std::hypot(s.to.x - s.centre.x, s.to.y - s.centre.y));
-  s.sweep = sweep_between(s.centre, s.from, s.to, s.ccw);
-}
-
 /// The fields of an ESSI block: each a sign and its digits.
 std::vector<std::string> signed_fields(const std::string& line) {
   std::vector<std::string> fields;
@@ -83,7 +77,13 @@ void place_centre(Step& s, std::int64_t dx, std::int64_t dy, std::int64_t r, boo
 
 }  // namespace
 
-Run essi(std::string_view text, double unit, Spot start) {
+void finish_arc(Step& s) {
+  s.radius = std::hypot(s.from.x - s.centre.x, s.from.y - s.centre.y);
+  s.mismatch = std::fabs(s.radius - std::hypot(s.to.x - s.centre.x, s.to.y - s.centre.y));
+  s.sweep = sweep_between(s.centre, s.from, s.to, s.ccw);
+}
+
+Run essi(std::string_view text, double unit, Spot start, EssiArcs arcs) {
   Run run;
   run.end = start;
   bool torch = false;
@@ -111,11 +111,18 @@ Run essi(std::string_view text, double unit, Spot start) {
     s.to = {start.x + unit * static_cast<double>(run.sum_x),
             start.y + unit * static_cast<double>(run.sum_y)};
     if (fields.size() == 5) {
-      if (fields[2][0] != '+' || fields[3].size() != 1 || fields[4].size() != 1)
-        refuse(line, "arc fields");
+      if (fields[4].size() != 1) refuse(line, "arc fields");
       s.kind = Step::Kind::Arc;
-      s.ccw = fields[4] == "-";
-      place_centre(s, dx, dy, value_of(fields[2]), fields[3] == "+", unit, line);
+      if (arcs == EssiArcs::ByCentre) {
+        s.ccw = fields[4] == "+";
+        s.centre = {s.from.x + unit * static_cast<double>(value_of(fields[2])),
+                    s.from.y + unit * static_cast<double>(value_of(fields[3]))};
+        finish_arc(s);
+      } else {
+        if (fields[2][0] != '+' || fields[3].size() != 1) refuse(line, "arc fields");
+        s.ccw = fields[4] == "-";
+        place_centre(s, dx, dy, value_of(fields[2]), fields[3] == "+", unit, line);
+      }
     } else if (dx == 0 && dy == 0) {
       refuse(line, "goes nowhere");
     }
@@ -131,12 +138,15 @@ Run gcode(std::string_view text, Spot start) {
   bool absolute = true;
   bool torch = false;
   double z = 0;
+  int motion = -1;
   for (const std::string& line : lines_of(text)) {
+    if (line == "%") continue;
     Step s;
     s.text = line;
     s.from = s.to = run.end;
     std::map<char, double> words;
     int g = -1;
+    bool is_placing = false;
     for (std::size_t i = 0; i < line.size();) {
       if (line[i] == ' ') {
         ++i;
@@ -148,15 +158,18 @@ Run gcode(std::string_view text, Spot start) {
         if (v == 90) absolute = true;
         if (v == 91) absolute = false;
         if (v <= 4) g = static_cast<int>(v);
+        if (v <= 3) motion = g;
+        is_placing = is_placing || v == 92;
       } else if (line[i] == 'M') {
-        if (v == 7 || v == 3) torch = true;
-        if (v == 8 || v == 5) torch = false;
+        if (v == 7 || v == 3 || v == 60) torch = true;
+        if (v == 8 || v == 5 || v == 50) torch = false;
       } else {
         words[line[i]] = v;
       }
       i += 1 + used;
     }
     s.torch = torch;
+    if (g < 0 && !is_placing && (words.contains('X') || words.contains('Y'))) g = motion;
     const auto word = [&](char c, double otherwise) {
       return words.contains(c) ? words[c] : otherwise;
     };

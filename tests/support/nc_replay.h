@@ -37,7 +37,14 @@ struct Run {
 };
 
 /// `unit` in mm; the tool begins at `start`.
-[[nodiscard]] Run essi(std::string_view text, double unit, Spot start);
+/// Radius, mismatch and sweep from the ends, the centre and the sense.
+void finish_arc(Step& s);
+
+enum class EssiArcs { ByRadius, ByCentre };
+[[nodiscard]] Run essi(std::string_view text, double unit, Spot start,
+                       EssiArcs arcs = EssiArcs::ByRadius);
+/// `B X B Y B J G Z`; between one D and the next the wire is out.
+[[nodiscard]] Run three_b(std::string_view text, double unit, Spot start);
 [[nodiscard]] Run gcode(std::string_view text, Spot start);
 
 /// Points along a step, its ends included, no further apart than the step's length / (count − 1).
