@@ -115,7 +115,7 @@ struct Dialect {
   std::string rapids_end;       ///< behind the last
 
   TorchPolicy torch = TorchPolicy::Automatic;
-  std::string torch_on;
+  std::string torch_on;  ///< its lines parted by line feeds
   std::string torch_off;
   std::vector<std::string> torch_on_codes;   ///< written as torch_on
   std::vector<std::string> torch_off_codes;  ///< written as torch_off

@@ -38,6 +38,15 @@ bool read_list(std::vector<std::string>& target, const Entry& entry) {
   return true;
 }
 
+/// Lines as one text, parted by line feeds.
+bool read_lines(std::string& target, const Entry& entry) {
+  std::vector<std::string> lines;
+  if (!read_list(lines, entry)) return false;
+  target.clear();
+  for (const std::string& line : lines) target += (target.empty() ? "" : "\n") + line;
+  return true;
+}
+
 bool read_flag(bool& target, const Entry& entry) {
   const std::string& value = value_of(entry);
   if (entry.kind != Entry::Kind::Other || (value != "true" && value != "false")) return false;
@@ -218,8 +227,10 @@ constexpr std::array kRules{
          }},
     Rule{{"torch.policy", "auto|program|none"},
          [](Dialect& d, const Entry& e) { return read_setting(d, "torch", e); }},
-    Rule{{"torch.on", kWord}, member<&Dialect::torch_on>},
-    Rule{{"torch.off", kWord}, member<&Dialect::torch_off>},
+    Rule{{"torch.on", kWords},
+         [](Dialect& d, const Entry& e) { return read_lines(d.torch_on, e); }},
+    Rule{{"torch.off", kWords},
+         [](Dialect& d, const Entry& e) { return read_lines(d.torch_off, e); }},
     Rule{{"torch.on_codes", kWords}, member<&Dialect::torch_on_codes>},
     Rule{{"torch.off_codes", kWords}, member<&Dialect::torch_off_codes>},
     Rule{{"torch.own_on_codes", kWords}, member<&Dialect::own_torch_on_codes>},

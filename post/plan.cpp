@@ -89,8 +89,13 @@ class Planner {
     return block;
   }
 
-  void emit_words(const std::string& words) {
-    if (!words.empty()) emit(BlockKind::Words).words = words;
+  /// Lines of words, a block each.
+  void emit_words(std::string_view words) {
+    while (!words.empty()) {
+      const std::size_t end = std::min(words.find('\n'), words.size());
+      emit(BlockKind::Words).words = words.substr(0, end);
+      words.remove_prefix(std::min(end + 1, words.size()));
+    }
   }
 
   void emit_words_before() {
@@ -182,6 +187,7 @@ class Planner {
         ended_ = true;
         return;
       default:
+        if (meaning.torch == TorchAct::On) switch_rapids(false);
         return emit_words(meaning.words);
     }
   }
