@@ -164,11 +164,12 @@ class Writer {
 std::optional<CountedArc> counted_arc(const WrittenArc& arc) {
   const Seen from{arc.from.x - arc.centre.x, arc.from.y - arc.centre.y};
   const Seen to{arc.to.x - arc.centre.x, arc.to.y - arc.centre.y};
-  if (arc.from == arc.to || (from.x == 0 && from.y == 0)) return std::nullopt;
+  constexpr int kLeastSquare = 4;  // nothing of a smaller circle is left on the grid
+  const Wide n = square(from.x) + square(from.y);
+  if (arc.from == arc.to || n < kLeastSquare) return std::nullopt;
   CountedArc counted{std::llabs(from.x), std::llabs(from.y), 0, axis_of_arc(to), 1};
   counted.quadrant = arc.ccw ? quadrant_of(from.x, from.y) : clockwise_quadrant_of(from.x, from.y);
   const bool along_x = counted.axis == CountedAxis::X;
-  const Wide n = square(from.x) + square(from.y);
   // (1): 2|other| − 1 < 2√(n − along²) < 2|other| + 1
   const std::int64_t other = std::llabs(along_x ? to.y : to.x);
   const Wide height = 4 * (n - square(along_x ? to.x : to.y));

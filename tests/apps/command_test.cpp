@@ -225,7 +225,15 @@ TEST(DgtCommand, NamesMayBeCyrillicAndHaveBlanks) {
 TEST(DgtCompile, ListNamesTheDialects) {
   const Outcome outcome = run_dgt({"compile", "--post", "list"});
   EXPECT_EQ(outcome.exit_code, kDone);
-  EXPECT_EQ(outcome.out, "essi\nplasmatic\nlinuxcnc\n");
+  EXPECT_EQ(
+      outcome.out,
+      "essi        ESSI with arcs by radius, increments of 0.1 mm\n"
+      "essi-iso    ESSI with arcs by centre (ISO 6582), increments of 0.1 mm\n"
+      "plasmatic   G-code in increments of 0.1 mm for plasma cutters\n"
+      "linuxcnc    G-code for LinuxCNC, absolute, 0.001 mm\n"
+      "fanuc-wire  G-code for wire machines of Fanuc's kind, G92, absolute, 0.001 mm\n"
+      "grbl        G-code for GRBL, absolute, 0.001 mm, torch or laser on the spindle output\n"
+      "3b          3B for wire machines, whole micrometres\n");
 }
 
 TEST(DgtCompile, TellsTheCertificateOnStandardError) {

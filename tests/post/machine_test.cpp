@@ -80,7 +80,7 @@ TEST(Settings, WithoutATorchItsCodesAreLikeAnyOther) {
   EXPECT_EQ(meaning_of(*set("linuxcnc", "torch=none"), "M8").words, "M08");
 }
 
-TEST(Settings, EveryKeyIsListed) { EXPECT_EQ(dialect_settings().size(), 12u); }
+TEST(Settings, EveryKeyIsListed) { EXPECT_EQ(dialect_settings().size(), 13u); }
 
 TEST(NearestKey, OfNoneIsEmpty) { EXPECT_EQ(nearest_key("x", {}), ""); }
 

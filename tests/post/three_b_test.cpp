@@ -134,7 +134,9 @@ TEST(CountedArcs, EndWhereAControlThatStepsEnds) {
     };
     const int size = i % 3 == 0 ? 40 : 900;
     const GridPoint from{whole(-size, size), whole(-size, size)};
+    // Of a few steps a circle is no circle; Dialect::least_radius keeps them away.
     const double r = std::hypot(static_cast<double>(from.x), static_cast<double>(from.y));
+    if (r < 10) continue;
     const double angle = std::uniform_real_distribution<double>(0, 6.3)(random);
     const GridPoint to{std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))};
     const bool ccw = i % 2 == 0;
