@@ -173,6 +173,7 @@ Run gcode(std::string_view text, Spot start) {
     const auto word = [&](char c, double otherwise) {
       return words.contains(c) ? words[c] : otherwise;
     };
+    if (is_placing) s.to = {word('X', run.end.x), word('Y', run.end.y)};
     if (g >= 0 && g <= 3) {
       s.kind = g == 0 ? Step::Kind::Rapid : g == 1 ? Step::Kind::Line : Step::Kind::Arc;
       s.to = absolute ? Spot{word('X', run.end.x), word('Y', run.end.y)}
