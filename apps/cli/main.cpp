@@ -62,6 +62,7 @@ void declare(CLI::App& app, Job& job) {
   app.footer(kFooter);
   add_compile(app, job);
   add_convert(app, job);
+  add_verify(app, job);
   add_check(app, job);
   add_format(app, job);
   add_path(app, job);

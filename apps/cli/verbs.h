@@ -29,6 +29,7 @@ void add_path(CLI::App& app, Job& job);
 void add_plot(CLI::App& app, Job& job);
 void add_points(CLI::App& app, Job& job);
 void add_tape(CLI::App& app, Job& job);
+void add_verify(CLI::App& app, Job& job);
 
 /// The subcommand itself with --help, --version and the options of messages.
 [[nodiscard]] CLI::App* add_verb(CLI::App& app, Job& job, const std::string& name,

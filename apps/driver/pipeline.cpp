@@ -40,6 +40,7 @@ void compile_poly(Compilation& made) {
 
 void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& evaluate) {
   if (!made.bag.has_errors()) {
+    made.arcs = std::move(program.arcs);
     ContourOptions options;
     options.join_tolerance = evaluate.join_tolerance;
     options.gouge = evaluate.gouge;

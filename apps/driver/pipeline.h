@@ -38,6 +38,7 @@ struct Compilation {
   std::shared_ptr<const SourceFile> file;
   CompileResult result;
   DiagnosticBag bag;  ///< points into `file` and `result.files`
+  ArcSummary arcs;    ///< of an NC program
 };
 
 /// Decodes a source; `-` is called `<stdin>` in messages.

@@ -50,6 +50,7 @@ std::optional<Diagnostic> fault_of_centre(const Spot& chord, const Spot& centre,
   const double difference = std::fabs(radii.from - radii.to);
   if (!radii_differ(chord, centre, options.arc_tolerance)) {
     count(summary, difference, block);
+    summary.mismatches.push_back({block, difference});
     return std::nullopt;
   }
   return Diagnostic{Message::ArcRadiiDiffer,

@@ -46,6 +46,12 @@ struct ArcSummary {
   std::size_t adjusted = 0;       ///< whose radii differ within the tolerance
   double largest_difference = 0;  ///< mm
   std::optional<Range> worst;
+  /// Each of the adjusted ones about a centre, in the order in which they were read.
+  struct Mismatch {
+    Range block;
+    double difference = 0;  ///< mm
+  };
+  std::vector<Mismatch> mismatches;
 };
 
 /// A program as read, before its kerf is applied.
