@@ -63,6 +63,7 @@ void declare(CLI::App& app, Job& job) {
   add_compile(app, job);
   add_convert(app, job);
   add_verify(app, job);
+  add_batch(app, job);
   add_check(app, job);
   add_format(app, job);
   add_path(app, job);

@@ -18,6 +18,7 @@ struct Job {
   MessageOptions messages;  ///< for what happens outside the verb
 };
 
+void add_batch(CLI::App& app, Job& job);
 void add_check(CLI::App& app, Job& job);
 void add_compile(CLI::App& app, Job& job);
 void add_format(CLI::App& app, Job& job);

@@ -147,6 +147,18 @@ bool set_read_dwell(Settings& settings, std::string_view text) {
   return text == "ms" || text == "s";
 }
 
+/// What a machine moves with; 0 where `least` says so.
+bool set_motion(double& target, std::string_view text, const Rational& least) {
+  const auto value = decimal_between(text, least, 1'000'000);
+  if (value) target = nearest_double(*value);
+  return value.has_value();
+}
+
+const Rational& least_motion() {
+  static const Rational kLeast(1, 1000);
+  return kLeast;
+}
+
 struct Rule {
   SettingKey key;
   bool (*apply)(Settings&, std::string_view);
@@ -177,6 +189,26 @@ constexpr std::array kRules{
     Rule{{"gcode.dwell_unit", "s|ms"}, set_read_dwell},
     Rule{{"corner", "extend|round|chamfer"}, set_corner},
     Rule{{"corner_limit", "1…1000"}, set_corner_limit},
+    Rule{{"rapid_speed", "0.001…1000000 mm/min"},
+         [](Settings& settings, std::string_view text) {
+           return set_motion(settings.motion.rapid_speed, text, least_motion());
+         }},
+    Rule{{"cut_speed", "0.001…1000000 mm/min"},
+         [](Settings& settings, std::string_view text) {
+           return set_motion(settings.motion.cut_speed, text, least_motion());
+         }},
+    Rule{{"acceleration", "0.001…1000000 mm/s²"},
+         [](Settings& settings, std::string_view text) {
+           return set_motion(settings.motion.acceleration, text, least_motion());
+         }},
+    Rule{{"corner_deviation", "0…1000000 mm"},
+         [](Settings& settings, std::string_view text) {
+           return set_motion(settings.motion.corner_deviation, text, 0);
+         }},
+    Rule{{"pierce_time", "0…1000000 s"},
+         [](Settings& settings, std::string_view text) {
+           return set_motion(settings.motion.pierce_time, text, 0);
+         }},
     Rule{{kMacroPath, "[\"/a\", \"/b\"], /a:/b"}, set_macro_path},
     Rule{{"max_statements", "1…1000000000000"},
          [](Settings& settings, std::string_view text) {

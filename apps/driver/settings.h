@@ -8,6 +8,7 @@
 
 #include "apps/driver/pipeline.h"
 #include "apps/driver/tape_settings.h"
+#include "apps/driver/timing.h"
 #include "post/machine.h"
 #include "post/machine_file.h"
 
@@ -20,6 +21,7 @@ struct Settings {
   Dialect dialect;  ///< without a name when none has been chosen; settings hold all the same
   SourceSettings source;
   TapeSettings tape;
+  MotionSettings motion;
 };
 
 /// Every key: `dialect`, those of the execution, those of a dialect, those of tape.

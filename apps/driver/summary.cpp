@@ -26,6 +26,7 @@ struct Words {
   const char* dwell;
   const char* box;
   const char* nothing;
+  const char* time;
 };
 
 const Words& words(Language language) {
@@ -38,7 +39,8 @@ const Words& words(Language language) {
       "rapid: {:.3f} mm\n",
       "dwell: {:.3f} s\n",
       "box: X {:.3f} … {:.3f}, Y {:.3f} … {:.3f} ({:.3f} × {:.3f}) mm\n",
-      "box: nothing moves\n"};
+      "box: nothing moves\n",
+      "time: {} (cut {:.1f} s, rapid {:.1f} s, pierce {:.1f} s, dwell {:.1f} s)\n"};
   static constexpr Words kRussian = {
       {"отрезки", "дуги", "холостые ходы", "выдержки", "команды"},
       "перемещения: ",
@@ -48,16 +50,24 @@ const Words& words(Language language) {
       "холостой ход: {:.3f} мм\n",
       "выдержки: {:.3f} с\n",
       "габарит: X {:.3f} … {:.3f}, Y {:.3f} … {:.3f} ({:.3f} × {:.3f}) мм\n",
-      "габарит: движения нет\n"};
+      "габарит: движения нет\n",
+      "время: {} (резание {:.1f} с, холостой ход {:.1f} с, врезки {:.1f} с, выдержки {:.1f} с)\n"};
   return language == Language::Russian ? kRussian : kEnglish;
 }
 
 /// Three decimals are shown; what is below them is not to print as "-0.000".
 double shown(double value) { return std::abs(value) < 0.0005 ? 0.0 : value; }
 
+/// `1:02:03.4`: hours, minutes, seconds.
+std::string clock(double seconds) {
+  const auto tenths = std::llround(seconds * 10);
+  return fmt::format("{}:{:02}:{:02}.{}", tenths / 36000, tenths / 600 % 60, tenths / 10 % 60,
+                     tenths % 10);
+}
+
 }  // namespace
 
-Summary summarise(const Toolpath& path) {
+Summary summarise(const Toolpath& path, const MotionSettings& motion) {
   Summary sum;
   bool cutting = false;
   for (const Move& move : path.moves) {
@@ -71,6 +81,7 @@ Summary summarise(const Toolpath& path) {
   sum.contours = path.contours.size();
   sum.length = lengths(path.moves);
   sum.box = box_of(path.moves);
+  sum.times = time_of(path, motion);
   return sum;
 }
 
@@ -88,6 +99,8 @@ std::string to_text(const Summary& sum, Language language) {
   append(w.cut, sum.length.cut);
   append(w.rapid, sum.length.rapid);
   if (sum.dwell > 0) append(w.dwell, sum.dwell);
+  const Times& times = sum.times;
+  append(w.time, clock(times.total()), times.cut, times.rapid, times.pierce, times.dwell);
   const Box& box = sum.box;
   if (box.empty()) return out + w.nothing;
   append(w.box, shown(box.left), shown(box.right), shown(box.bottom), shown(box.top), box.width(),
@@ -103,6 +116,12 @@ std::string to_json(const Summary& sum) {
   json["pierces"] = sum.pierces;
   json["length"] = {{"cut", sum.length.cut}, {"rapid", sum.length.rapid}};
   json["dwell"] = sum.dwell;
+  const Times& times = sum.times;
+  json["time"] = {{"total", times.total()},
+                  {"cut", times.cut},
+                  {"rapid", times.rapid},
+                  {"pierce", times.pierce},
+                  {"dwell", times.dwell}};
   json["box"] = nullptr;
   if (!sum.box.empty()) {
     json["box"] = {{"min", {sum.box.left, sum.box.bottom}}, {"max", {sum.box.right, sum.box.top}}};

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "apps/driver/timing.h"
 #include "kernel/toolpath.h"
 #include "lang/text/diagnostic.h"
 #include "post/figures.h"
@@ -21,13 +22,15 @@ struct Summary {
   Lengths length;           ///< mm
   double dwell = 0;         ///< seconds
   Box box;                  ///< of everything travelled; empty when nothing is
+  Times times;              ///< under the machine's settings
 };
-[[nodiscard]] Summary summarise(const Toolpath& path);
+[[nodiscard]] Summary summarise(const Toolpath& path, const MotionSettings& motion = {});
 
 /// A few lines for a person; lengths with three decimals.
 [[nodiscard]] std::string to_text(const Summary& summary, Language language);
 /// `dgt-info/1`: {"schema", "units", "moves": {kind: count}, "contours", "pierces", "length":
-/// {"cut", "rapid"}, "dwell", "box": {"min": [x, y], "max": [x, y]} or null}.
+/// {"cut", "rapid"}, "dwell", "time": {"total", "cut", "rapid", "pierce", "dwell"} in seconds,
+/// "box": {"min": [x, y], "max": [x, y]} or null}.
 [[nodiscard]] std::string to_json(const Summary& summary);
 
 }  // namespace dgt

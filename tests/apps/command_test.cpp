@@ -76,7 +76,7 @@ TEST(DgtCommand, WrongUsageIs2AndSaysWhy) {
       {"path", corpus("1P.bgt"), "--offset-side", "top"},
       {"path", corpus("1P.bgt"), "--join-tolerance", "wide"},
       {"path", corpus("1P.bgt"), "--join-tolerance", "-1"},
-      {"plot", corpus("1P.bgt"), "-o", folder.name("part.pdf")},
+      {"plot", corpus("1P.bgt"), "-o", folder.name("part.gif")},
       {"compile", corpus("1P.bgt")},
       {"compile", corpus("1P.bgt"), "--post", "klingon"},
   };
