@@ -99,12 +99,12 @@ std::optional<Ball> squared_angle(const Curve& leaf) {
   const auto s = divide(*chord, Ball(2, 0) * leaf.radius);
   if (!s || !(upper(*s) < 0.3L)) return std::nullopt;
   const Ball s2 = *s * *s;
-  // asin s = s + s³/6 + 3s⁵/40 + 15s⁷/336 + …, the terms left out below 0.04 s⁹.
-  const Ball series =
-      Ball(1, 0) + s2 * (Ball(1 / 6.0L, 0x1p-64L) +
-                         s2 * (Ball(3 / 40.0L, 0x1p-64L) + s2 * Ball(15 / 336.0L, 0x1p-64L)));
+  // asin s = s + s³/6 + 3s⁵/40 + 5s⁷/112 + 35s⁹/1152 + 63s¹¹/2816 + …, the rest below 0.02 s¹³.
+  constexpr std::array kTerms = {63 / 2816.0L, 35 / 1152.0L, 5 / 112.0L, 3 / 40.0L, 1 / 6.0L, 1.0L};
+  Ball series;
+  for (const long double term : kTerms) series = series * s2 + Ball(term, 0x1p-64L);
   Ball half = *s * series;
-  half.rad += up(0.04L * std::pow(upper(*s), 9.0L));
+  half.rad += up(0.02L * std::pow(upper(*s), 13.0L));
   return Ball(4, 0) * half * half;
 }
 

@@ -84,8 +84,8 @@ BatchResult work(const BatchItem& item, const Settings& settings) {
   result.bag = std::move(made->bag);
   if (result.bag.has_errors()) return result;
   const WriteResult written = write(*made->result.path, settings.dialect);
-  for (const Diagnostic& diagnostic : explain(written, settings.dialect, *made).all())
-    result.bag.add(diagnostic);
+  const DiagnosticBag said = explain(written, settings.dialect, *made);
+  for (const Diagnostic& diagnostic : said.all()) result.bag.add(diagnostic);
   if (!written.faults.empty()) return result;
   std::error_code no_folder;
   fs::create_directories(fs::path(item.output).parent_path(), no_folder);

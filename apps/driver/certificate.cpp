@@ -78,6 +78,9 @@ constexpr Words kRussian = {
 /// What a fault says; {0} dx, {1} dy, {2} measure in mm, {3} the allowed value, {4} the contour.
 const char* sentence(Kind kind, bool russian) {
   switch (kind) {
+    case Kind::Start:
+      return russian ? "начинается в стороне от траектории на X {0} Y {1} мм; допустимо ±{3}"
+                     : "begins beside the path by X {0} Y {1} mm; ±{3} is allowed on each axis";
     case Kind::Displaced:
       return russian ? "точка смещена от траектории на X {0} Y {1} мм; допустимо ±{3} по каждой оси"
                      : "stops beside the path by X {0} Y {1} mm; ±{3} is allowed on each axis";

@@ -90,13 +90,9 @@ class Matcher {
     shifts_.push_back(place_of(match_.shift));
     if (fits || program_.start == RationalPoint{}) return;
     MatchFault fault{};
-    fault.kind = MatchFault::Kind::Displaced;
+    fault.kind = MatchFault::Kind::Start;
     fault.dx = origin.x() - nearest_double(exact_.start.x);
     fault.dy = origin.y() - nearest_double(exact_.start.y);
-    while (fault.last < program_.moves.size() && !program_.moves[fault.last].travels())
-      ++fault.last;
-    fault.first = fault.last =
-        std::min(fault.last, program_.moves.empty() ? 0 : program_.moves.size() - 1);
     match_.faults.push_back(fault);
     start_slack_ = std::hypot(fault.dx, fault.dy);
   }

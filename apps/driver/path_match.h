@@ -36,6 +36,7 @@ struct MatchedMove {
 /// Why the program does not run the exact path.
 struct MatchFault {
   enum class Kind : std::uint8_t {
+    Start,      ///< begins beside the path by dx, dy
     Displaced,  ///< stops beside the path by dx, dy
     Deviates,   ///< runs beside the path by `measure` at most, which is beyond the limit
     WrongKind,  ///< cuts where the path is rapid, or the other way about

@@ -41,6 +41,7 @@ void compile_poly(Compilation& made) {
 void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& evaluate) {
   if (!made.bag.has_errors()) {
     made.arcs = std::move(program.arcs);
+    made.placed_by = program.placed_by;
     ContourOptions options;
     options.join_tolerance = evaluate.join_tolerance;
     options.gouge = evaluate.gouge;

@@ -37,8 +37,9 @@ struct SourceSettings {
 struct Compilation {
   std::shared_ptr<const SourceFile> file;
   CompileResult result;
-  DiagnosticBag bag;  ///< points into `file` and `result.files`
-  ArcSummary arcs;    ///< of an NC program
+  DiagnosticBag bag;      ///< points into `file` and `result.files`
+  ArcSummary arcs;        ///< of an NC program
+  SourcePlace placed_by;  ///< what tells where an NC program starts; line 0: nothing
 };
 
 /// Decodes a source; `-` is called `<stdin>` in messages.

@@ -18,6 +18,8 @@ const Rational& radii_rounding() {
 
 Kind kind_of(MatchFault::Kind kind) {
   switch (kind) {
+    case MatchFault::Kind::Start:
+      return Kind::Start;
     case MatchFault::Kind::Displaced:
       return Kind::Displaced;
     case MatchFault::Kind::Deviates:
@@ -103,8 +105,11 @@ class Verifier {
     for (const MatchFault& fault : match_.faults) {
       add(kind_of(fault.kind), fault.exact, line_of(fault.first), line_of(fault.last),
           fault.measure);
-      proof_.faults.back().dx = fault.dx;
-      proof_.faults.back().dy = fault.dy;
+      VerifyFault& told = proof_.faults.back();
+      told.dx = fault.dx;
+      told.dy = fault.dy;
+      if (fault.kind == MatchFault::Kind::Start)
+        told.first_line = told.last_line = program_.placed_by.line;
     }
   }
 
@@ -243,6 +248,8 @@ VerifyLimits limits_of(const Dialect& dialect) {
 
 const char* name_of(VerifyFault::Kind kind) {
   switch (kind) {
+    case Kind::Start:
+      return "start";
     case Kind::Displaced:
       return "displaced";
     case Kind::Deviates:

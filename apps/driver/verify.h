@@ -28,6 +28,7 @@ inline constexpr int kDeviationUnits = 2;
 /// program, one as a rule. Line 0: none.
 struct VerifyFault {
   enum class Kind : std::uint8_t {
+    Start,  ///< dx, dy
     Displaced,
     Deviates,
     WrongKind,

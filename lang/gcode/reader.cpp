@@ -268,7 +268,7 @@ class GcodeReader {
     if (is_placed_) {
       shift_ = path_.at() - said;
     } else {
-      path_.start_at(said);
+      path_.start_at(said, place_);
       is_placed_ = true;
     }
   }
@@ -297,7 +297,7 @@ class GcodeReader {
     if (is_arc) return arc(to, std::move(height));
     if (!is_placed_) {
       if (motion_ == 0 && is_absolute_ && !is_flat) {
-        path_.start_at(to);
+        path_.start_at(to, place_);
         is_placed_ = true;
       } else if (motion_ != 0 || !is_flat) {
         is_placed_ = true;

@@ -24,7 +24,8 @@ PathBuilder::PathBuilder(const SourceFile& file, std::size_t expected) {
   program_.path.moves.reserve(expected);
 }
 
-void PathBuilder::start_at(const Spot& start) {
+void PathBuilder::start_at(const Spot& start, const SourcePlace& place) {
+  program_.placed_by = place;
   at_ = start;
   point_ = start.point();
   program_.path.start = start.exact();

@@ -22,7 +22,7 @@ class PathBuilder {
   [[nodiscard]] RationalPtr height() const { return height_; }
 
   /// Where the program begins; what came before only waited, switched or rose there.
-  void start_at(const Spot& start);
+  void start_at(const Spot& start, const SourcePlace& place);
   /// Modal: mm/min, of all moves from here on.
   void set_feed(RationalPtr feed) { feed_ = std::move(feed); }
 

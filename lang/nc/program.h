@@ -59,6 +59,7 @@ struct NcProgram {
   Toolpath path;
   std::vector<KerfSwitch> kerf;     ///< in the order of the moves
   std::vector<SubprogramRun> runs;  ///< in the order in which they ended
+  SourcePlace placed_by;            ///< what told where the program starts; line 0: nothing
   ArcSummary arcs;
 };
 

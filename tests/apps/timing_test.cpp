@@ -15,8 +15,8 @@ namespace {
 constexpr MotionSettings kSlow{6000, 600, 100, 0, 2};
 
 Times times(const std::string& gcode, const MotionSettings& motion = kSlow) {
-  const auto source = decode_source("a.ngc", "G90\nG00 X0 Y0\nM07\n" + gcode, std::nullopt);
-  const Compilation made = compile_source("a.ngc", source, SourceSettings{});
+  const Compilation made =
+      compile_bytes("a.ngc", "G90\nG00 X0 Y0\nM07\n" + gcode, SourceSettings{});
   EXPECT_TRUE(made.result.path.has_value());
   return made.result.path ? time_of(*made.result.path, motion) : Times{};
 }
