@@ -272,10 +272,23 @@ class Matcher {
     match_.faults.push_back(fault);
   }
 
+  /// The least whole number of units by which the stop has to move back on each axis.
   RationalPoint whole_units(const Reading& reading) const {
-    const Rational& unit = options_.unit;
-    return {Rational(nearest_integer(Rational(reading.dx) / unit)) * unit,
-            Rational(nearest_integer(Rational(reading.dy) / unit)) * unit};
+    const State& state = states_[reading.from];
+    const RationalPoint& shift = displacements_[state.displaced];
+    const Point at = stop_of(state.stop + reading.pieces);
+    const Point& meant = move(done_).to;
+    return {whole_units(reading.dx, shift.x, at.x(), meant.x(), at, meant, &ExactPoint::x),
+            whole_units(reading.dy, shift.y, at.y(), meant.y(), at, meant, &ExactPoint::y)};
+  }
+
+  Rational whole_units(double off, const Rational& shift, double p, double q, const Point& at,
+                       const Point& meant, OneRoot ExactPoint::*axis) const {
+    const Rational step = off < 0 ? Rational(-options_.unit) : options_.unit;
+    const Integer about(std::floor(std::fabs(off) / unit_));
+    Rational units = step * Rational(about > 0 ? Integer(about - 1) : about);
+    while (!is_near_on_axis(p, q, shift - units, at, meant, axis)) units += step;
+    return units;
   }
 
   /// An increment that is wrong shows at the first stop that is not half-way between two grid

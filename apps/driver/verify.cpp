@@ -199,8 +199,8 @@ class Verifier {
     const Point begin = begin_of(first);
     const Point end = end_of(last);
     if (begin == end) return;
-    add(Kind::Open, last.exact, line_of(first.first), last.last > 0 ? line_of(last.last - 1) : 0,
-        0);
+    const std::uint32_t line = last.last > 0 ? line_of(last.last - 1) : 0;
+    add(Kind::Open, last.exact, line, line, 0);
     VerifyFault& fault = proof_.faults.back();
     fault.contour = contour.id;
     fault.dx = end.x() - begin.x();
@@ -224,12 +224,28 @@ class Verifier {
   void check_radii() {
     proof_.arcs = program_.arcs.arcs;
     const Rational most = proof_.limits.radius_mismatch + radii_rounding();
+    std::size_t told = 0;
     for (const auto& [block, difference] : program_.arcs.mismatches) {
       const std::uint32_t line = block.file->line_at(block.begin);
       raise(proof_.mismatch, difference, line);
-      if (Rational(difference) > most)
-        add(Kind::RadiusMismatch, exact_.moves.size(), line, line, difference);
+      if (Rational(difference) > most && told++ < kMaxMatchFaults)
+        add(Kind::RadiusMismatch, exact_.moves.size(), line_before(line), line, difference);
     }
+  }
+
+  /// Where an arc begins inside a divided one, the stop before may be to blame as well: nothing
+  /// else says where it should be.
+  std::uint32_t line_before(std::uint32_t line) const {
+    const auto inside = [line](const Certificate::Row& row) {
+      return row.first_line < line && line <= row.last_line;
+    };
+    if (std::none_of(proof_.rows.begin(), proof_.rows.end(), inside)) return line;
+    std::uint32_t before = line;
+    for (const Move& move : written_.moves) {
+      if (move.source.line == line) break;
+      if (move.travels()) before = move.source.line;
+    }
+    return before;
   }
 
   const Compilation& program_;
