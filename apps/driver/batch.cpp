@@ -55,14 +55,18 @@ void add_folder(const fs::path& folder, Found& found) {
   }
 }
 
-void add_pattern(const fs::path& pattern, Found& found) {
+/// False when no name fits.
+bool add_pattern(const fs::path& pattern, Found& found) {
   const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
   std::error_code no_folder;
+  bool any = false;
   for (const auto& entry : fs::directory_iterator(folder, no_folder)) {
     const fs::path name = entry.path().filename();
-    if (entry.is_regular_file() && fits(name.string(), pattern.filename().string()))
-      found.try_emplace(pattern.has_parent_path() ? entry.path() : name, name);
+    if (!entry.is_regular_file() || !fits(name.string(), pattern.filename().string())) continue;
+    any = true;
+    found.try_emplace(pattern.has_parent_path() ? entry.path() : name, name);
   }
+  return any;
 }
 
 /// What this control's programs are called by.
@@ -106,16 +110,13 @@ tl::expected<std::vector<BatchItem>, std::string> plan_batch(const std::vector<s
                                                              const Dialect& dialect) {
   Found found;
   for (const std::string& input : inputs) {
-    const std::size_t before = found.size();
     if (fs::is_directory(input)) {
       add_folder(input, found);
     } else if (fs::exists(input)) {
       found.try_emplace(input, fs::path(input).filename());
-    } else {
-      add_pattern(input, found);
-    }
-    if (found.size() == before && !fs::exists(input))
+    } else if (!add_pattern(input, found)) {
       return tl::unexpected(fmt::format("{}: no programs there", input));
+    }
   }
   std::vector<BatchItem> items;
   std::map<fs::path, std::string> taken;

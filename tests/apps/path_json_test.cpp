@@ -141,7 +141,7 @@ TEST(SummaryOfAPath, SpeaksEnglishAndRussian) {
             "cut: 37.835 mm\n"
             "rapid: 1.414 mm\n"
             "dwell: 0.500 s\n"
-            "time: 0:00:04.8 (cut 4.2 s, rapid 0.1 s, pierce 0.0 s, dwell 0.5 s)\n"
+            "time: 0:00:03.9 (cut 3.3 s, rapid 0.1 s, pierce 0.0 s, dwell 0.5 s)\n"
             "box: X -6.000 … 4.000, Y -2.000 … 8.000 (10.000 × 10.000) mm\n");
   EXPECT_THAT(to_text(summarise(Toolpath{}), Language::Russian), HasSubstr("движения нет"));
 }
