@@ -41,6 +41,7 @@ Step<Settings> settings_of(const VerifyOptions& options, const Console& console)
 /// The program counts in the units of its control.
 SourceSettings as_written(const Settings& settings) {
   SourceSettings source = settings.source;
+  if (settings.dialect.name == "essi-iso") source.essi.dialect = EssiDialect::Iso;
   source.essi.unit = settings.dialect.unit;
   return source;
 }

@@ -72,6 +72,7 @@ bool add_pattern(const fs::path& pattern, Found& found) {
 /// What this control's programs are called by.
 const char* extension_of(const Dialect& dialect) {
   if (dialect.form == Form::Essi) return ".ess";
+  if (dialect.form == Form::ThreeB) return ".3b";
   return dialect.name == "plasmatic" ? ".cnc" : ".ngc";
 }
 
