@@ -35,7 +35,6 @@ struct Strand {
 struct ReachOf {
   std::size_t strand = 0;
   std::size_t reach = 0;
-  friend bool operator==(const ReachOf&, const ReachOf&) = default;
 };
 
 struct Ends {

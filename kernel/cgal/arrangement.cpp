@@ -19,8 +19,6 @@ namespace {
 struct Count {
   int net = 0;
   RawKey piece;
-
-  friend bool operator==(const Count&, const Count&) = default;
 };
 struct AddCounts {
   Count operator()(const Count& a, const Count& b) const { return {a.net + b.net, a.piece}; }

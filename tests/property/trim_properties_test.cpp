@@ -84,7 +84,7 @@ double area_of(const std::vector<Move>& moves) {
   OffsetLoop loop;
   for (const Move& move : moves) {
     if (!is_part(move)) continue;
-    OffsetPiece piece{move.from, move.to, move.kind == MoveKind::Line, {}, {}};
+    OffsetPiece piece{move.from, move.to, move.kind == MoveKind::Line, {}, {}, {}};
     if (!piece.is_line) {
       piece.centre = move.circle().centre();
       piece.radius = move.circle().radius();
