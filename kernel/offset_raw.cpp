@@ -96,11 +96,13 @@ void drop_minute_pieces(OffsetLoop& loop) {
   };
   // Begin at something larger, so that no run of them passes the seam.
   const auto first = std::ranges::find_if_not(loop.pieces, is_minute);
-  if (loop.closed)
+  if (first == loop.pieces.end()) return;  // together they are more
+  if (loop.closed) {
     std::ranges::rotate(loop.pieces, first);
-  else if (first != loop.pieces.end())
+  } else {
     first->from = loop.pieces.front().from;
-  if (!loop.closed) loop.pieces.erase(loop.pieces.begin(), first);
+    loop.pieces.erase(loop.pieces.begin(), first);
+  }
   std::vector<OffsetPiece> kept;
   for (OffsetPiece& piece : loop.pieces) {
     if (is_minute(piece))
@@ -148,6 +150,7 @@ std::vector<RawPiece> chamfer(const ChainEdge& edge, const ChainEdge& next,
   const Vector k = next.start.vector();
   if (dot(n, k) < kNearlyBack) return {};
   const Vector m = direction_of(n + k).unit.vector();
+  if (m == n || m == k) return {};
   const RationalPoint begin = edge.to + (distance / (1 + dot(n, m))) * (n + m);
   const RationalPoint end = edge.to + (distance / (1 + dot(m, k))) * (m + k);
   return {segment_between(moved(edge.to, edge.end, distance), begin), segment_between(begin, end),
@@ -192,6 +195,7 @@ std::vector<RawPiece> sharp_corner(const ChainEdge& edge, const ChainEdge& next,
   // A short arc is known worse than its ends by the square of how often it goes into its radius.
   constexpr int kFiner = -(kStandInBits + 64);
   const RationalPoint at{rational_within(exact.x, kFiner), rational_within(exact.y, kFiner)};
+  if (at == before.to || at == behind.from) return {};
   if (!is_ahead(spot(at), spot(before.to), spot(turned_right(edge.end.vector())), spot(behind.from),
                 spot(turned_right(next.start.vector())), corner, limit * distance.get_d()))
     return {};

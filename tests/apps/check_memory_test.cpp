@@ -20,6 +20,7 @@
 namespace dgt {
 namespace {
 
+#ifndef DGT_MEMORY_IS_INFLATED
 constexpr std::size_t kBytes = 2'000'000;
 constexpr long kTimesTheSource = 10;
 
@@ -37,6 +38,7 @@ long peak_over_empty(const std::function<std::string(int)>& piece) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err.substr(0, 1000);
   return outcome.peak_kib - base;
 }
+#endif
 
 void expect_small(const std::function<std::string(int)>& piece) {
 #ifdef DGT_MEMORY_IS_INFLATED

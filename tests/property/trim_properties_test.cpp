@@ -115,6 +115,7 @@ RC_GTEST_PROP(Trim, GivesTheLoopOfTheReferenceOrSaysThatThereIsNotOne, ()) {
   RC_CLASSIFY(loops.empty(), "nothing left");
   if (!contour->faults.empty()) {
     const auto why = contour->faults.back().kind;
+    if (why == ContourFault::Kind::BlendsOverlap) return;  // of the programmed contour itself
     RC_CLASSIFY(why == ContourFault::Kind::TrimStart, "begins in a gouge");
     RC_ASSERT(loops.size() != 1 || why == ContourFault::Kind::TrimStart);
     return;
