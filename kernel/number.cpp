@@ -13,6 +13,7 @@
 #include "kernel/cgal/one_root_order.h"
 #include "kernel/check.h"
 #include "kernel/mpfr_float.h"
+#include "kernel/thread_arithmetic.h"
 
 namespace dgt {
 namespace {
@@ -348,5 +349,7 @@ Rational rational_within(const OneRoot& x, int exponent) {
                    static_cast<int>(mpz_sizeinbase(x.b.get_den_mpz_t(), 2)) + 1;
   return x.a + x.b * sqrt_within(x.c, std::min(exponent - size, -1));
 }
+
+void release_thread_arithmetic() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 
 }  // namespace dgt

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "apps/driver/write_messages.h"
+#include "kernel/thread_arithmetic.h"
 #include "post/write.h"
 
 namespace dgt {
@@ -154,7 +155,12 @@ std::vector<BatchResult> run_batch(const std::vector<BatchItem>& items, const Se
   {
     std::vector<std::jthread> threads;
     const std::size_t most = std::min<std::size_t>(jobs, items.size());
-    for (std::size_t i = 1; i < most; ++i) threads.emplace_back(serve);
+    for (std::size_t i = 1; i < most; ++i) {
+      threads.emplace_back([&] {
+        serve();
+        release_thread_arithmetic();
+      });
+    }
     serve();
   }
   if (broken) std::rethrow_exception(broken);
