@@ -33,7 +33,7 @@ std::set<std::string, std::less<>> codes_shown_in(const std::string& text) {
 std::set<std::string, std::less<>> codes_shown_by_tests() {
   const fs::path tests = fs::path(DGT_SOURCE_DIR) / "tests";
   std::set<std::string, std::less<>> shown;
-  for (const char* folder : {"lang", "apps", "corpus"}) {
+  for (const char* folder : {"lang", "apps", "device_commands", "corpus"}) {
     for (const auto& entry : fs::recursive_directory_iterator(tests / folder)) {
       const bool is_this = entry.path().filename() == "messages_shown_test.cpp";
       if (entry.is_regular_file() && !is_this)
