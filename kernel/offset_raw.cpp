@@ -215,7 +215,7 @@ bool is_ahead(Spot at, Spot from, Spot before, Spot to, Spot behind, Spot corner
 
 std::vector<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
                                  const Rational& distance, const OffsetOptions& options) {
-  if (edge.end == next.start) return {};
+  if (edge.end == next.start || sgn(distance) == 0) return {};
   const bool left = sgn(cross(edge.end.vector(), next.start.vector())) > 0;
   std::vector<RawPiece> parts;
   if (!left && options.corner == OffsetCorner::Sharp)

@@ -23,9 +23,10 @@ struct RawPiece {
 
 /// `edge` moved to the left; nothing for an arc shrunk to its centre.
 [[nodiscard]] std::optional<RawPiece> raw_edge(const ChainEdge& edge, const Rational& distance);
-/// What turns the normal at the end of `edge` into that of `next`; nothing at a tangent joint. The
-/// short way about the corner, or where this is on its outer side, as the options say. An edge that
-/// doubles back on itself turns to the right: its end is kept away from on all sides.
+/// What turns the normal at the end of `edge` into that of `next`; nothing at a tangent joint,
+/// and without an offset. The short way about the corner, or where this is on its outer side, as
+/// the options say. An edge that doubles back on itself turns to the right: its end is kept away
+/// from on all sides.
 [[nodiscard]] std::vector<RawPiece> raw_corner(const ChainEdge& edge, const ChainEdge& next,
                                                const Rational& distance,
                                                const OffsetOptions& options);

@@ -54,12 +54,14 @@ class Vertex {
 
   [[nodiscard]] ExactPoint exact() const {
     if (piece_.cut == piece_.by) return ExactPoint(source_->exact_beginning(piece_.cut));
-    // What only touches when the distance is exact may be apart by what stand-ins are off; beyond
-    // it, the two cross.
+    // What only touches when the distance is exact may be apart by what stand-ins are off, or
+    // shrunk to a point; beyond it, the two cross.
     for (const Rational& beyond : {Rational(0), power_of_two(kContactExponent)}) {
       const Rational d = source_->distance() + beyond;
-      const auto places = cgal::support_crossings(source_->exact_piece(piece_.cut, d),
-                                                  source_->exact_piece(piece_.by, d));
+      const auto one = source_->exact_piece(piece_.cut, d);
+      const auto other = source_->exact_piece(piece_.by, d);
+      if (!one || !other) continue;
+      const auto places = cgal::support_crossings(*one, *other);
       if (!places.empty())
         return *std::ranges::min_element(places, {}, [&](const ExactPoint& p) {
           return std::hypot(nearest_double(p.x) - piece_.x, nearest_double(p.y) - piece_.y);
@@ -126,7 +128,8 @@ Circle OffsetRegion::circle_of(RawKey on) const {
   const Rational& distance = source_->distance();
   const ChainEdge edge = source_->exact_edge(on.edge());
   const bool round =
-      on.part() > 0 && source_->corner_parts(on.edge(), source_->fine_distance()).empty();
+      on.part() > 0 &&
+      source_->corner_parts(on.edge(), source_->decisive_distance<DoubleDouble>()).empty();
   if (round) return Circle(edge.to, distance);
   const ChainEdge& own = on.part() == 2 ? source_->exact_edge(source_->next(on.edge())) : edge;
   return Circle(own.centre(), abs(own.radius - distance));

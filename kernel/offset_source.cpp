@@ -429,17 +429,23 @@ Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDoubl
   return s;
 }
 
-RawPiece OffsetSource::exact_piece(RawKey key, const Rational& distance) const {
+std::optional<RawPiece> OffsetSource::exact_piece(RawKey key, const Rational& distance) const {
   const ChainEdge e = exact_edge(key.edge());
-  if (key.part() == 0) return raw_edge(e, distance).value();
-  return raw_corner(e, exact_edge(next(key.edge())), distance, options_).at(key.part() - 1);
+  if (key.part() == 0) return raw_edge(e, distance);
+  const auto parts = raw_corner(e, exact_edge(next(key.edge())), distance, options_);
+  if (parts.size() < key.part()) return std::nullopt;
+  return parts[key.part() - 1];
 }
 
 RationalPoint OffsetSource::exact_beginning(RawKey key) const {
+  const ChainEdge e = exact_edge(key.edge());
+  if (key.part() > 0) {
+    const auto piece = exact_piece(key, distance_);
+    return piece ? piece->from : e.to + distance_ * e.end.vector();
+  }
   const std::uint32_t before = previous(key.edge());
-  if (key.part() > 0 || joint(before) != Joint::Tangent) return exact_piece(key, distance_).from;
-  const ChainEdge e = exact_edge(before);
-  return e.to + distance_ * e.end.vector();
+  const bool tangent = joint(before) == Joint::Tangent;
+  return e.from + distance_ * (tangent ? exact_edge(before).end : e.start).vector();
 }
 
 }  // namespace dgt

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernel/offset.h"
@@ -145,7 +146,9 @@ class OffsetSource {
   [[nodiscard]] bool shrinks_to_chord(const EdgeInDoubles& e) const {
     return !e.is_line && std::fabs(e.radius - decisive_.mid) <= kTangent * decisive_.mid;
   }
-  [[nodiscard]] RawPiece exact_piece(RawKey key, const Rational& distance) const;
+  /// The exact raw piece; nothing where `distance` shrinks it to a point, or has no such part of a
+  /// corner.
+  [[nodiscard]] std::optional<RawPiece> exact_piece(RawKey key, const Rational& distance) const;
   /// Where it begins.
   [[nodiscard]] RationalPoint exact_beginning(RawKey key) const;
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
+#include <random>
 
 #include "kernel/offset.h"
 #include "tests/differential/contours.h"
@@ -169,6 +171,38 @@ TEST(OffsetLaws, PolylinesInDoublesAreTheChainsTheyMean) {
     EXPECT_EQ(corners(production_offset(polylines, c.distance).exact()),
               corners(production_offset(chains, c.distance)));
   });
+}
+
+/// Loops that cross themselves and each other, double back, repeat vertices: outside what the
+/// engines promise anything of, but no reason to fall. Distances meet the radii of arcs exactly.
+TEST(OffsetLaws, WhateverComesInLoopsComeOut) {
+  std::mt19937 random(7);
+  const auto below = [&random](int n) {
+    return static_cast<int>(random() % static_cast<unsigned>(n));
+  };
+  const std::array bulges = {Rational(0),  Rational(0),      Rational(1),
+                             Rational(-1), Rational(1, 2),   Rational(-1, 2),
+                             Rational(3),  Rational(41, 99), power_of_two(-90)};
+  const std::array distances = {Rational(0),    Rational(1), Rational(-1),
+                                Rational(1, 2), Rational(3), power_of_two(-40)};
+  for (int i = 0; i < 400; ++i) {
+    std::vector<Chain> closed;
+    for (int loop = below(3); loop >= 0; --loop) {
+      std::vector<BulgeVertex> vertices;
+      for (int n = 2 + below(7); n > 0; --n)
+        vertices.push_back({{Rational(below(9) - 4), Rational(below(9) - 4)},
+                            bulges[static_cast<std::size_t>(below(9))]});
+      if (auto chain = chain_of(vertices, true)) closed.push_back(*std::move(chain));
+    }
+    const Rational& distance = distances[static_cast<std::size_t>(i) % distances.size()];
+    for (const OffsetCorner corner :
+         {OffsetCorner::Round, OffsetCorner::Sharp, OffsetCorner::Chamfer}) {
+      for (const OffsetLoop& loop : production_offset(closed, distance, {corner})) {
+        for (std::size_t k = 0; k < loop.pieces.size(); ++k)
+          ASSERT_TRUE(loop.pieces[k].to == loop.pieces[(k + 1) % loop.pieces.size()].from) << i;
+      }
+    }
+  }
 }
 
 }  // namespace
