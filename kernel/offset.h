@@ -75,8 +75,7 @@ struct OffsetOptions {
 /// The reference engine: the raw curves as an exact arrangement, faces labelled by winding number,
 /// the boundary read off the faces. Simple and slow: some 100 µs an edge.
 ///  (1) `distance` > 0 shrinks the region left of the loops, < 0 grows it.
-///  (2) Every place of the region is at least |distance| away from the loops, and with round
-///  corners
+///  (2) Every place of the region is at least |distance| away from the loops; with round corners,
 ///      every place left of them that is so belongs to it.
 ///  (3) Outer loops run counter-clockwise, holes clockwise: the region lies to the left.
 /// Precondition (checked): the loops are closed; they may touch but not cross. An open chain is
@@ -110,10 +109,9 @@ class OffsetSource;
 struct RegionPiece {
   double x = 0;  ///< where it begins
   double y = 0;
-  double radius =
-      0;           ///< of an arc of at most half a turn, positive counter-clockwise; 0: a segment
-  RawKey on;       ///< what it is a part of
-  RawKey cut, by;  ///< it begins where these cross; the same: where `cut` begins
+  double radius = 0;  ///< positive counter-clockwise; 0: a segment. No arc is above half a turn
+  RawKey on;          ///< what it is a part of
+  RawKey cut, by;     ///< it begins where these cross; the same: where `cut` begins
 };
 
 /// What the production engine makes: loops in doubles, exact when asked.
@@ -157,10 +155,12 @@ class OffsetRegion {
                                                         const OffsetOptions& options = {},
                                                         OffsetCounts* counts = nullptr);
 
+enum class OffsetEngineKind : std::uint8_t { Production, Reference };
+
 /// The equidistant of an open chain: of all places at the distance from it, those that lie to its
 /// left (distance > 0) or right, in its direction, without what gouges some other part of it. As
 /// many open loops as that leaves, and closed ones where the chain all but closes.
-enum class OffsetEngineKind : std::uint8_t { Production, Reference };
+/// Precondition (checked): the chain is open, the distance not 0.
 [[nodiscard]] std::vector<OffsetLoop> open_offset(
     const Chain& chain, const Rational& distance, const OffsetOptions& options = {},
     OffsetEngineKind engine = OffsetEngineKind::Production);

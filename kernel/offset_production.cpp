@@ -460,8 +460,7 @@ class OffsetEngine {
   std::vector<int> loop_number_;            ///< where each loop was probed
 };
 
-// --- from input to result
-// -------------------------------------------------------------------------
+// --- from input to result -----------------------------------------------------------------------
 
 namespace {
 

@@ -13,6 +13,10 @@
 namespace dgt {
 namespace {
 
+/// Sine of the angle up to which one segment goes straight on from another: over a metre the two
+/// are kOffsetResolution apart.
+constexpr double kStraightOn = 1e-12;
+
 /// Cosine of the turn beyond which a corner has no chamfer: the edge all but doubles back.
 const Rational kNearlyBack(-999999, 1000000);
 
@@ -58,7 +62,7 @@ RationalPoint point_inside(const OffsetPiece& piece) {
 /// Whether a whole component of the region may fit into the disc: only then does a number lie. The
 /// ends of its edges span its box up to the arcs' heights, at most half of that more on each side.
 bool may_have_voids(const std::vector<Chain>& loops, const Rational& distance) {
-  const double width = 2 * nearest_double(distance) * (1 + 1e-9);
+  const double width = 2 * nearest_double(distance) + kOffsetResolution;
   return std::any_of(loops.begin(), loops.end(), [&](const Chain& loop) {
     Box box{1e300, 1e300, -1e300, -1e300};
     for (const ChainEdge& e : loop.edges) {
@@ -84,7 +88,7 @@ bool same_support(const OffsetPiece& a, const OffsetPiece& b) {
   };
   const auto [ax, ay] = direction(a);
   const auto [bx, by] = direction(b);
-  return std::fabs(ax * by - ay * bx) <= 1e-12 * std::hypot(ax, ay) * std::hypot(bx, by) &&
+  return std::fabs(ax * by - ay * bx) <= kStraightOn * std::hypot(ax, ay) * std::hypot(bx, by) &&
          ax * bx + ay * by > 0;
 }
 

@@ -111,6 +111,7 @@ void OffsetRegion::reverse() {
 }
 
 void OffsetRegion::drop(const std::vector<bool>& which) {
+  if (std::ranges::find(which, true) == which.end()) return;
   std::vector<std::size_t> first = {0};
   std::size_t kept = 0;
   for (std::size_t i = 0; i < loops(); ++i) {

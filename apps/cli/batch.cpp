@@ -38,7 +38,11 @@ ExitCode run(const BatchOptions& options, const Console& console) {
   }
   const auto plan = plan_batch(options.inputs, options.folder, settings->dialect);
   if (!plan) {
-    console.error(Text::FileFailed, {plan.error()});
+    const BatchFault& fault = plan.error();
+    if (fault.is_clash())
+      console.error(Text::BatchClash, {fault.input, fault.other, fault.output});
+    else
+      console.error(Text::NoPrograms, {fault.input});
     return ExitCode::WrongUsage;
   }
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());

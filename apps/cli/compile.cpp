@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/cli/compile.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <map>
 
 #include "apps/cli/machine_options.h"
@@ -20,12 +17,6 @@ struct CompileOptions {
   Request request;
   PostOptions post;
 };
-
-/// With four decimals, never below `value`.
-std::string rounded_up(double value) {
-  constexpr double kStep = 1e-4;
-  return fmt::format("{:.4f}", std::ceil(value / kStep) * kStep);
-}
 
 ExitCode run(const CompileOptions& options, const Console& console) {
   if (options.post.dialect == kList) {
@@ -65,7 +56,7 @@ ExitCode write_for(const Request& request, const PostOptions& post, const Consol
   const ExitCode code = write_result(request.output, written.text, console);
   if (code == ExitCode::Done) {
     console.note(Text::Compiled, {dialect.name, std::to_string(written.report.blocks),
-                                  rounded_up(written.report.deviation)});
+                                  told(written.report.deviation)});
   }
   return code;
 }

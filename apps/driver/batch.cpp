@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -107,9 +106,9 @@ BatchResult work(const BatchItem& item, const Settings& settings) {
 
 }  // namespace
 
-tl::expected<std::vector<BatchItem>, std::string> plan_batch(const std::vector<std::string>& inputs,
-                                                             const std::string& folder,
-                                                             const Dialect& dialect) {
+tl::expected<std::vector<BatchItem>, BatchFault> plan_batch(const std::vector<std::string>& inputs,
+                                                            const std::string& folder,
+                                                            const Dialect& dialect) {
   Found found;
   for (const std::string& input : inputs) {
     if (fs::is_directory(input)) {
@@ -117,7 +116,7 @@ tl::expected<std::vector<BatchItem>, std::string> plan_batch(const std::vector<s
     } else if (fs::exists(input)) {
       found.try_emplace(input, fs::path(input).filename());
     } else if (!add_pattern(input, found)) {
-      return tl::unexpected(fmt::format("{}: no programs there", input));
+      return tl::unexpected(BatchFault{input, {}, {}});
     }
   }
   std::vector<BatchItem> items;
@@ -127,8 +126,7 @@ tl::expected<std::vector<BatchItem>, std::string> plan_batch(const std::vector<s
     output.replace_extension(extension_of(dialect));
     const auto [other, is_new] = taken.try_emplace(output, input);
     if (!is_new) {
-      return tl::unexpected(fmt::format("{} and {} would both be written to {}", other->second,
-                                        input, output.string()));
+      return tl::unexpected(BatchFault{other->second, input, output});
     }
     items.push_back({input, output});
   }
@@ -171,10 +169,8 @@ std::string table_of(const std::vector<BatchResult>& results) {
   std::string table;
   for (const BatchResult& result : results) {
     if (result.is_done) {
-      constexpr double kStep = 1e-4;
-      table += fmt::format("done   {:7} blocks {:8.4f} mm  {} -> {}\n", result.blocks,
-                           std::ceil(result.deviation / kStep) * kStep, result.item.input,
-                           result.item.output);
+      table += fmt::format("done   {:7} blocks {:>8} mm  {} -> {}\n", result.blocks,
+                           told(result.deviation), result.item.input, result.item.output);
     } else {
       table += fmt::format("failed {:29}{}\n", "", result.item.input);
     }

@@ -18,10 +18,19 @@ struct BatchItem {
   std::string output;
 };
 
+/// Why there is no plan: nothing stands behind `input`, or both it and `other` would be written to
+/// `output`.
+struct BatchFault {
+  std::string input;
+  std::string other;
+  std::string output;
+
+  [[nodiscard]] bool is_clash() const { return !output.empty(); }
+};
+
 /// The programs that folders, patterns and names stand for, sorted by name, each once; of folders
-/// the files in a known language, in folders below as well, whose place is kept under `folder`. An
-/// error, a sentence: nothing is there, or two programs would be written to one file.
-[[nodiscard]] tl::expected<std::vector<BatchItem>, std::string> plan_batch(
+/// the files in a known language, in folders below as well, whose place is kept under `folder`.
+[[nodiscard]] tl::expected<std::vector<BatchItem>, BatchFault> plan_batch(
     const std::vector<std::string>& inputs, const std::string& folder, const Dialect& dialect);
 
 struct BatchResult {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/driver/write_messages.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "lang/text/encoding.h"
 
 namespace dgt {
@@ -95,6 +99,11 @@ DiagnosticBag explain(const WriteResult& written, const Dialect& dialect,
     bag.add(diagnostic_of(note, dialect, range_of(note.place, program)));
   }
   return bag;
+}
+
+std::string told(double deviation) {
+  constexpr double kStep = 1e-4;
+  return fmt::format("{:.4f}", std::ceil(deviation / kStep) * kStep);
 }
 
 }  // namespace dgt
