@@ -21,8 +21,8 @@ class SourceEditor : public QPlainTextEdit {
   [[nodiscard]] int current_line() const;
   /// The word at the cursor, as help looks it up: `C`, `FOR`, `G54`; empty between words.
   [[nodiscard]] QString word_at_cursor() const;
-  /// Puts a line of its own below the line with the cursor, or into it when it is blank; one step of
-  /// undo.
+  /// Puts a line of its own below the line with the cursor, or into it when it is blank; one step
+  /// of undo.
   void add_line(const QString& line);
 
  signals:

@@ -37,9 +37,8 @@ Language SettingsStore::language() const {
 }
 
 void SettingsStore::set_language(Language language) {
-  file_.setValue(QStringLiteral("language"), language == Language::Russian
-                                                 ? QStringLiteral("ru")
-                                                 : QStringLiteral("en"));
+  file_.setValue(QStringLiteral("language"),
+                 language == Language::Russian ? QStringLiteral("ru") : QStringLiteral("en"));
 }
 
 Theme SettingsStore::theme() const {

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QString>
 #include <QStringList>
+#include <QVariant>
 
 #include "apps/studio/window/theme.h"
 #include "lang/text/diagnostic.h"

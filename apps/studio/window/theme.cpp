@@ -39,7 +39,7 @@ constexpr std::array kRows = {
     ColourRow{"line_numbers", QT_TRANSLATE_NOOP("Colours", "Line numbers"), &Colours::line_numbers},
 };
 
-constexpr QColor rgb(std::uint32_t value) { return QColor::fromRgb(0xFF000000U | value); }
+QColor rgb(std::uint32_t value) { return QColor::fromRgb(0xFF000000U | value); }
 
 Colours light_colours() {
   return {.sheet = rgb(0xFCFCFA),

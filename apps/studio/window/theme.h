@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <span>
 
-/// How everything looks: two themes, and the colours of drawing and text, which a person may change.
+/// How everything looks: two themes, and the colours of drawing and text, which a person may
+/// change.
 namespace dgt::studio {
 
 enum class Theme : std::uint8_t { Light, Dark };
