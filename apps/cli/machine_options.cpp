@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <variant>
+
+#include "apps/driver/machine_choice.h"
 
 namespace dgt::cli {
 namespace {
@@ -33,12 +35,14 @@ Step<std::vector<Setting>> parsed(const std::vector<std::string>& texts, const C
   return settings;
 }
 
-Step<Dialect> dialect_of_file(const std::string& name, const Console& console) {
-  auto read = read_dialect_file(name);
-  if (!read) return tl::unexpected(report(read.error(), console));
-  console.show(read->bag, {read->file});
-  if (read->bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
-  return std::move(read->dialect);
+ExitCode report(const MachineFault& fault, const Console& console) {
+  if (const auto* file = std::get_if<FileError>(&fault)) return report(*file, console);
+  if (const auto* setting = std::get_if<SettingFault>(&fault)) return report(*setting, console);
+  if (const auto* dialect = std::get_if<UnknownDialect>(&fault)) {
+    console.error(Text::UnknownDialect, {dialect->name, names_of_dialects(", ")});
+    return ExitCode::WrongUsage;
+  }
+  return ExitCode::InputErrors;  // its messages have been shown
 }
 
 std::string help_of_settings() {
@@ -55,35 +59,13 @@ std::string help_of_settings() {
 
 Step<Settings> settle(const SourceOptions& options, const Console& console,
                       const std::string& post) {
-  SettingSources sources;
   auto set = parsed(options.machine.settings, console);
   if (!set) return tl::unexpected(set.error());
-  sources.set = *std::move(set);
-  std::optional<MachineFile> machine;
-  if (!options.machine.file.empty()) {
-    auto read = read_machine_file(options.machine.file);
-    if (!read) return tl::unexpected(report(read.error(), console));
-    sources.machine = &machine.emplace(*std::move(read));
-  }
-  const std::string name = post.empty() ? dialect_name(sources) : post;
-  std::optional<Dialect> dialect;
-  if (names_dialect_file(name)) {
-    auto read = dialect_of_file(name, console);
-    if (!read) return tl::unexpected(read.error());
-    sources.post = &dialect.emplace(*std::move(read));
-  } else if (!post.empty()) {
-    sources.post = find_dialect(post);
-    if (sources.post == nullptr) {
-      console.error(Text::UnknownDialect, {post, names_of_dialects(", ")});
-      return tl::unexpected(ExitCode::WrongUsage);
-    }
-  }
-  auto settings = settle(sources);
-  if (machine) console.show(machine->bag, {machine->file});
-  if (!settings) return tl::unexpected(report(settings.error(), console));
-  if (machine && machine->bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
-  settings->source = options.over(std::move(settings->source));
-  return *std::move(settings);
+  auto machine = settle(MachineChoice{options.machine.file, *std::move(set), post});
+  for (const MachineMessages& said : machine.messages) console.show(said.bag, {said.file});
+  if (!machine.settings) return tl::unexpected(report(machine.settings.error(), console));
+  machine.settings->source = options.over(std::move(machine.settings->source));
+  return *std::move(machine.settings);
 }
 
 void add_machine_options(CLI::App& verb, MachineOptions& options) {

@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/cli/tape.h"
 
-#include <filesystem>
 #include <map>
 
-#include "lang/text/reading.h"
+#include "apps/driver/tape_jobs.h"
 
 namespace dgt::cli {
 namespace {
 
-std::string with_line_ends(const std::string& text, const std::string& line_end) {
-  if (line_end == "\n") return text;
-  std::string out;
-  out.reserve(text.size() + text.size() / 8);
-  for (const char c : text) {
-    if (c == '\n') {
-      out += line_end;
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 Step<LoadedTape> encode_program(const std::string& name, std::string_view bytes,
                                 const TapeOptions& options, const TapeFormat& format,
                                 const Console& console) {
-  const auto file = decode_source(name, bytes, options.source.encoding);
-  DiagnosticBag reading;
-  report_reading(*file, reading);
-  EncodedTape made = encode_tape(file->text(), format);
-  console.show(reading, {file});
-  const DiagnosticBag bag = explain(made, *file);
-  console.show(bag, {file});
-  if (reading.has_errors() || bag.has_errors()) return tl::unexpected(ExitCode::InputErrors);
+  ProgramOnTape made = program_on_tape(name, bytes, options.source.encoding, format);
+  console.show(made.reading, {made.file});
+  console.show(made.punching, {made.file});
+  if (made.reading.has_errors() || made.punching.has_errors())
+    return tl::unexpected(ExitCode::InputErrors);
   return LoadedTape{{std::move(made.rows), {}}, true};
 }
 
@@ -81,18 +63,10 @@ void add_tape_header(CLI::App& verb, TapeOptions& options) {
 
 Step<TapeFormat> format_for(const TapeOptions& options, const Settings& settings,
                             const Console& console) {
-  TapeFormat format = settings.tape.format;
-  if (!options.header.empty()) {
-    format.header = options.header;
-  } else if (settings.tape.header_is_name && options.file != kStream) {
-    format.header = std::filesystem::path(options.file).filename().string();
-  }
-  const bool needs_start = !format.header.empty() || format.checksum == TapeChecksum::Line;
-  if (needs_start && format.start == TapeStart::None) {
-    console.error(Text::TapeNeedsStart, {});
-    return tl::unexpected(ExitCode::WrongUsage);
-  }
-  return format;
+  const auto format = format_for(settings.tape, options.file, options.header);
+  if (format) return *format;
+  console.error(Text::TapeNeedsStart, {});
+  return tl::unexpected(ExitCode::WrongUsage);
 }
 
 Step<Tape> load_image(const std::string& name, const Console& console) {

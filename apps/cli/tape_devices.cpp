@@ -4,13 +4,12 @@
 // tape in it, ends in exit code 3.
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 #include "apps/cli/tape.h"
 #include "apps/cli/tape_faults.h"
 #include "apps/cli/tape_watch.h"
+#include "apps/driver/tape_jobs.h"
 #include "device/join.h"
 
 namespace dgt::cli {
@@ -52,16 +51,6 @@ TapeReading read_device(const ReaderSettings& settings, const TapeFormat& format
   return read_tape(**reader, settings, format, progress.watch());
 }
 
-/// `name.part.txt`, or with a number when there is one already.
-std::string free_part_name(const std::string& output) {
-  const std::string stem = output == kStream ? "tape" : output;
-  std::string name = stem + ".part.txt";
-  for (int i = 2; std::filesystem::exists(name); ++i) {
-    name = stem + ".part-" + std::to_string(i) + ".txt";
-  }
-  return name;
-}
-
 /// Nothing that was read is lost.
 ExitCode keep_part(const Tape& tape, const std::string& output, const Console& console) {
   if (tape.rows.empty()) return ExitCode::Failure;
@@ -87,7 +76,7 @@ Step<Tape> read_whole(const ReaderSettings& settings, const TapeFormat& format,
                       const DeviceOptions& options, const Console& console) {
   TapeReading reading = read_device(settings, format, console);
   if (reading.fault) {
-    const std::string why = sentence_of(*reading.fault, limits_of(settings), console);
+    const std::string why = sentence_of(*reading.fault, limits_of(settings), console.language());
     console.error(Text::FileFailed, {why});
     reading.tape.gaps.push_back({reading.tape.rows.size(), why});
   }
@@ -157,51 +146,31 @@ ExitCode read(const DeviceOptions& options, const Console& console) {
 
 // --- punching -----------------------------------------------------------------------------------
 
-/// The row behind the last line end among the first `count`.
-std::size_t behind_last_block(std::span<const Row> rows, std::size_t count) {
-  while (count > 0 && rows[count - 1] != kLineFeed) --count;
-  return count;
-}
-
 /// `failure` speaks of rows of the whole tape; those before `from` are on another piece.
 void tell_how_to_go_on(std::span<const Row> rows, const PunchFailure& failure, std::size_t from,
                        const TapeFormat& format, const Console& console) {
-  const std::size_t whole = behind_last_block(rows, std::min(failure.punched, rows.size()));
-  if (whole <= from) {
+  const auto whole = whole_blocks(rows, failure, from, format);
+  if (!whole) {
     console.note(Text::PunchBeginsAnew, {});
     return;
   }
-  const Tape before{{rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(whole)}, {}};
-  const auto lines = std::ranges::count(decode_tape(before, format).text, '\n');
-  console.note(Text::PunchGoesOn, {std::to_string(whole), millimetres_to(whole),
-                                   std::to_string(lines), std::to_string(whole + 1)});
-}
-
-/// What is punched when an earlier punching went up to the row before `from` (from 0): blank tape
-/// to be spliced, then the rest.
-std::vector<Row> rest_of(const std::vector<Row>& rows, std::size_t from, const TapeFormat& format) {
-  if (from == 0) return rows;
-  std::vector<Row> rest(rows_in(format.leader), kBlankRow);
-  rest.insert(rest.end(), rows.begin() + static_cast<std::ptrdiff_t>(from), rows.end());
-  return rest;
+  console.note(Text::PunchGoesOn, {std::to_string(whole->rows), millimetres_to(whole->rows),
+                                   std::to_string(whole->lines), std::to_string(whole->rows + 1)});
 }
 
 Step<void> punch_rows(const PunchSettings& settings, const std::vector<Row>& rows,
                       const TapeFormat& format, std::size_t from, const Console& console) {
-  const std::vector<Row> rest = rest_of(rows, from, format);
-  auto punch = open_punch(settings);
-  if (!punch) return tl::unexpected(report(punch.error(), limits_of(settings), console));
   tl::expected<void, PunchFailure> done;
   {
-    Progress progress(settings.device, rest.size(), console);
-    done = punch_tape(**punch, rest, settings, progress.watch());
+    Progress progress(settings.device, rest_of(rows, from, format).size(), console);
+    done = punch_from(settings, rows, from, format, progress.watch());
   }
   if (done) return {};
-  (void)report(done.error().fault, limits_of(settings), console);
-  PunchFailure failure = done.error();
-  failure.punched += rows.size();
-  failure.punched -= std::min(failure.punched, rest.size());
-  tell_how_to_go_on(rows, failure, from, format, console);
+  const DeviceFault& fault = done.error().fault;
+  (void)report(fault, limits_of(settings), console);
+  using Kind = DeviceFault::Kind;
+  const bool has_begun = fault.kind != Kind::CannotOpen && fault.kind != Kind::CannotSetUp;
+  if (has_begun) tell_how_to_go_on(rows, done.error(), from, format, console);
   return tl::unexpected(ExitCode::Failure);
 }
 

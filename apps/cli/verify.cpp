@@ -5,6 +5,7 @@
 #include "apps/cli/session.h"
 #include "apps/cli/verbs.h"
 #include "apps/driver/certificate.h"
+#include "apps/driver/nc_files.h"
 
 namespace dgt::cli {
 namespace {
@@ -38,14 +39,6 @@ Step<Settings> settings_of(const VerifyOptions& options, const Console& console)
                 usual_dialect(request.file, language_for(request.file, request.source)));
 }
 
-/// The program counts in the units of its control.
-SourceSettings as_written(const Settings& settings) {
-  SourceSettings source = settings.source;
-  if (settings.dialect.name == "essi-iso") source.essi.dialect = EssiDialect::Iso;
-  source.essi.unit = settings.dialect.unit;
-  return source;
-}
-
 /// The other file goes by its extension.
 SourceOptions of_the_other(SourceOptions options) {
   options.from.reset();
@@ -61,7 +54,7 @@ ExitCode run(const VerifyOptions& options, const Console& console) {
   }
   const auto settings = settings_of(options, console);
   if (!settings) return settings.error();
-  const auto program = load(request.file, request.source, as_written(*settings), console);
+  const auto program = load(request.file, request.source, as_its_control(*settings), console);
   if (!program) return program.error();
   const SourceOptions other = of_the_other(request.source);
   SourceSettings source = settings->source;

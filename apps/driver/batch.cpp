@@ -11,6 +11,7 @@
 #include <mutex>
 #include <thread>
 
+#include "apps/driver/nc_files.h"
 #include "apps/driver/write_messages.h"
 #include "kernel/thread_arithmetic.h"
 #include "post/write.h"
@@ -67,13 +68,6 @@ bool add_pattern(const fs::path& pattern, Found& found) {
     found.try_emplace(pattern.has_parent_path() ? entry.path() : name, name);
   }
   return any;
-}
-
-/// What this control's programs are called by.
-const char* extension_of(const Dialect& dialect) {
-  if (dialect.form == Form::Essi) return ".ess";
-  if (dialect.form == Form::ThreeB) return ".3b";
-  return dialect.name == "plasmatic" ? ".cnc" : ".ngc";
 }
 
 BatchResult work(const BatchItem& item, const Settings& settings) {

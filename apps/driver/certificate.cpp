@@ -141,9 +141,17 @@ class Page {
 
   std::string run() {
     append(proof_.holds() ? words_.proved : words_.failed, proof_.program, proof_.against);
-    for (const VerifyFault& fault : proof_.faults) add(fault);
+    for (const VerifyFault& fault : proof_.faults) {
+      out_ += "  ! ";
+      add(fault);
+      out_ += '\n';
+    }
     if (!proof_.is_complete) append(words_.incomplete);
     add_figures();
+    return std::move(out_);
+  }
+  std::string run(const VerifyFault& fault) {
+    add(fault);
     return std::move(out_);
   }
 
@@ -154,7 +162,6 @@ class Page {
   }
 
   void add(const VerifyFault& fault) {
-    out_ += "  ! ";
     if (fault.first_line != fault.last_line) {
       append(words_.lines, fault.first_line, fault.last_line);
     } else if (fault.first_line != 0) {
@@ -164,7 +171,6 @@ class Page {
            above(fault.measure), allowed(proof_, fault.kind), fault.contour);
     const SourcePlace& source = fault.source;
     if (source.line != 0) append(words_.meant, file_of(proof_, source), source.line, source.column);
-    out_ += '\n';
   }
 
   static std::string signed_length(double millimetres) {
@@ -247,6 +253,10 @@ void append_blocks(std::string& out, const Certificate& proof) {
 
 std::string to_text(const Certificate& proof, Language language) {
   return Page(proof, language).run();
+}
+
+std::string to_text(const VerifyFault& fault, const Certificate& proof, Language language) {
+  return Page(proof, language).run(fault);
 }
 
 std::string to_json(const Certificate& proof) {

@@ -11,6 +11,10 @@ namespace dgt {
 /// The certificate as a page for a person.
 [[nodiscard]] std::string to_text(const Certificate& proof, Language language);
 
+/// One of its faults, with the lines to blame: `line 7: stops beside the path by …`.
+[[nodiscard]] std::string to_text(const VerifyFault& fault, const Certificate& proof,
+                                  Language language);
+
 /// `dgt-verify/1`, lengths in mm, lines of the program from 1:
 ///  {"schema", "units", "verified", "program", "against", "dialect", "unit", "complete",
 ///   "moves": of the exact path that were compared, "omitted": those too small to be written,

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/driver/nc_files.h"
+
+namespace dgt {
+
+const char* extension_of(const Dialect& dialect) {
+  if (dialect.form == Form::Essi) return ".ess";
+  if (dialect.form == Form::ThreeB) return ".3b";
+  return dialect.name == "plasmatic" ? ".cnc" : ".ngc";
+}
+
+std::optional<InputLanguage> language_of(const Dialect& dialect) {
+  if (dialect.form == Form::ThreeB) return std::nullopt;
+  if (dialect.form == Form::Gcode) return InputLanguage::Gcode;
+  return dialect.arc_form == ArcForm::Centre ? InputLanguage::EssiIso : InputLanguage::Essi;
+}
+
+SourceSettings as_its_control(const Settings& settings) {
+  const Dialect& dialect = settings.dialect;
+  SourceSettings source = settings.source;
+  source.essi.unit = dialect.unit;
+  if (language_of(dialect) == InputLanguage::EssiIso) {
+    source.essi.dialect = EssiDialect::Iso;
+    if (!dialect.plus_is_ccw) source.essi.iso_plus = RotationSense::Clockwise;
+  }
+  return source;
+}
+
+}  // namespace dgt
