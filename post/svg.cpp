@@ -95,12 +95,18 @@ void add(Box& box, const Box& other) {
   box.add(other.right, other.top);
 }
 
-/// Points and axes are on the sheet; circles too when there is no path to show.
+/// Points and axes are on the sheet; of lines the foot of the normal from the origin, and circles,
+/// when there is no path to show.
 void add(Box& box, const NamedShape& named, bool alone) {
   if (const auto* spot = std::get_if<NamedSpot>(&named.shape)) box.add(spot->x, spot->y);
   if (const auto* axes = std::get_if<NamedAxes>(&named.shape)) box.add(axes->x, axes->y);
+  if (!alone) return;
+  if (const auto* line = std::get_if<Line>(&named.shape)) {
+    const double p = nearest_double(line->p());
+    box.add(-p * nearest_double(line->direction().y()), p * nearest_double(line->direction().x()));
+  }
   const auto* circle = std::get_if<Circle>(&named.shape);
-  if (circle == nullptr || !alone) return;
+  if (circle == nullptr) return;
   const double x = coordinate(circle->centre().x);
   const double y = coordinate(circle->centre().y);
   const double radius = nearest_double(abs(circle->radius()));
@@ -117,9 +123,12 @@ Sheet sheet_of(const Toolpath& path, const DrawingStyle& style, std::span<const 
   constexpr double kLeastSide = 1;  // mm: a path that goes nowhere still has a sheet
   const double share = named.empty() ? style.margin : style.margin_named;
   const double margin = share * std::max({box.width(), box.height(), kLeastSide});
-  const double width = box.width() + 2 * margin;
-  const double height = box.height() + 2 * margin;
-  return {box.left - margin, box.top + margin, width, height, std::max(width, height) / style.size};
+  const double wide = box.width() + 2 * margin;
+  const double high = box.height() + 2 * margin;
+  const double width = std::max(wide, style.aspect * high);
+  const double height = style.aspect > 0 ? width / style.aspect : high;
+  return {box.left - margin - (width - wide) / 2, box.top + margin + (height - high) / 2, width,
+          height, std::max(width, height) / style.size};
 }
 
 void append_attribute(std::string& out, std::string_view name, double value) {
@@ -264,6 +273,7 @@ std::string draw_svg(const Toolpath& path, const DrawingStyle& style,
     names = lay_out_names(named, path, sheet, style.letters_height * sheet.pixel);
     drawing.rule({element, arrow, head, dot, programmed, equidistant, rapid, start});
     drawing.group(element, names.elements);
+    if (!names.lit.empty()) drawing.group(programmed, names.lit);
   }
   drawing.open(programmed);
   draw_programmed(drawing, path);
@@ -272,11 +282,15 @@ std::string draw_svg(const Toolpath& path, const DrawingStyle& style,
   draw_equidistant(drawing, path);
   drawing.close();
   drawing.group(rapid, path_data(path.moves, is_rapid));
-  drawing.group(start, start_data(path));
+  const bool is_alone = !named.empty() && path.moves.empty();
+  if (!is_alone) drawing.group(start, start_data(path));
   if (!named.empty()) {
     drawing.group(head, names.heads);
     drawing.group(arrow, names.arrows);
     drawing.group(dot, names.dots);
+    if (!names.lit_dots.empty()) {
+      drawing.group({"start", style.programmed, style.start_width}, names.lit_dots);
+    }
     drawing.write(names.names);
   }
   return drawing.finish();

@@ -30,6 +30,7 @@ struct DrawingStyle {
   double margin = 0.05;        ///< on each side, of the longer side of the box
   double margin_named = 0.12;  ///< the same where elements are named
   double size = 1000;          ///< of the longer side, in pixels
+  double aspect = 0;           ///< width by height of the sheet; 0: as the drawing needs
 };
 
 /// The tool path as an SVG 1.1 drawing, y up.
@@ -38,7 +39,8 @@ struct DrawingStyle {
 ///  (3) Strokes keep their width when the drawing is scaled, where the viewer can do that.
 ///  (4) The same path gives the same bytes.
 /// `named` elements lie thin beneath the path, with their names and arrows in their directions, and
-/// arrows stand on the path.
+/// arrows stand on the path; those that are lit have the colour and width of a programmed contour.
+/// Without a path the elements have the sheet to themselves.
 [[nodiscard]] std::string draw_svg(const Toolpath& path, const DrawingStyle& style = {},
                                    std::span<const NamedShape> named = {});
 

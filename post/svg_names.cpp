@@ -78,6 +78,8 @@ class NamesWriter {
   }
 
   void draw(const NamedShape& named) {
+    elements_ = named.lit ? &out_.lit : &out_.elements;
+    dots_ = named.lit ? &out_.lit_dots : &out_.dots;
     std::visit([&](const auto& shape) { draw(named.name, shape); }, named.shape);
   }
   NamesLayout finish() { return std::move(out_); }
@@ -92,7 +94,7 @@ class NamesWriter {
     const auto ends = clipped(line, sheet_);
     if (!ends) return;
     const auto [from, to] = *ends;
-    stroke(out_.elements, {from, to});
+    stroke(*elements_, {from, to});
     const Spot d = {nearest_double(line.direction().x()), nearest_double(line.direction().y())};
     const double whole = std::hypot(to.x - from.x, to.y - from.y);
     std::vector<Candidate> candidates;
@@ -127,8 +129,8 @@ class NamesWriter {
   void draw(const std::string& name, const NamedSpot& spot) {
     const Spot at{spot.x, spot.y};
     if (spot.dot) {
-      move_to(out_.dots, at);
-      out_.dots += " h0";
+      move_to(*dots_, at);
+      *dots_ += " h0";
       crowd_.push_back(at);
     }
     place(name, around(at, spot.dot ? 1.0 : 0.9));
@@ -252,12 +254,12 @@ class NamesWriter {
   }
   void round(Spot centre, double radius) {
     const double r = rounded(radius, sheet_.pixel);
-    move_to(out_.elements, centre + Spot{radius, 0});
+    move_to(*elements_, centre + Spot{radius, 0});
     for (const double sign : {-1.0, 1.0}) {
-      out_.elements += " A";
-      point(out_.elements, {r, r});
-      out_.elements += " 0 0 1 ";
-      point(out_.elements, centre + Spot{sign * radius, 0});
+      *elements_ += " A";
+      point(*elements_, {r, r});
+      *elements_ += " 0 0 1 ";
+      point(*elements_, centre + Spot{sign * radius, 0});
     }
   }
 
@@ -269,6 +271,8 @@ class NamesWriter {
   const Sheet& sheet_;
   double letter_;
   NamesLayout out_;
+  std::string* elements_ = &out_.elements;  // where the shape in hand goes
+  std::string* dots_ = &out_.dots;
   std::vector<Spot> crowd_;  ///< points of the path
   std::vector<Taken> taken_;
 };

@@ -26,6 +26,7 @@ struct NamedAxes {
 struct NamedShape {
   std::string name;
   std::variant<Line, Circle, NamedSpot, NamedAxes> shape;
+  bool lit = false;  ///< stands out: what the drawing is about
 };
 
 /// The part of the plane that is drawn, y up, in mm.
@@ -53,6 +54,8 @@ struct NamesLayout {
   std::string arrows;    ///< open heads, on the elements
   std::string heads;     ///< the same on the path, half-way along moves that have room for one
   std::string dots;
+  std::string lit;  ///< elements that stand out
+  std::string lit_dots;
   std::vector<PlacedName> names;
 };
 
