@@ -51,6 +51,14 @@ bool set_gouge(Settings& settings, std::string_view text) {
   return false;
 }
 
+bool set_crossings(Settings& settings, std::string_view text) {
+  CrossingMoves& crossings = settings.source.evaluate.crossings;
+  if (text == "all") return crossings = CrossingMoves::All, true;
+  if (text == "leads") return crossings = CrossingMoves::Leads, true;
+  if (text == "none") return crossings = CrossingMoves::None, true;
+  return false;
+}
+
 bool set_corner(Settings& settings, std::string_view text) {
   CornerStyle& corner = settings.source.evaluate.corner;
   if (text == "extend") return corner = CornerStyle::Extend, true;
@@ -172,6 +180,7 @@ constexpr std::array kRules{
     Rule{{"offset_side", "auto|left|right"}, set_offset_side},
     Rule{{"join_tolerance", "≥ 0 mm"}, set_join_tolerance},
     Rule{{"gouge", "error|warn|trim"}, set_gouge},
+    Rule{{"crossings", "all|leads|none"}, set_crossings},
     Rule{{"kerf", "0…100 mm"}, set_kerf},
     Rule{{"arc_tolerance", "0…10 mm"}, set_arc_tolerance},
     Rule{{"essi.dialect", "essi|essi-iso"}, set_essi_dialect},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/contour.h"
+#include "kernel/part_crossing.h"
 #include "lang/dgt/elements.h"
 #include "lang/dgt/loader.h"
 #include "lang/text/diagnostic.h"
@@ -25,8 +26,11 @@ struct EvaluateBounds {
 /// What a program is compiled for.
 enum class Purpose : std::uint8_t {
   Path,
-  Check  ///< for what is wrong with it: the moves are worked out and not kept
+  Check  ///< for what is wrong with it: of more than kMovesLookedOver moves none are kept
 };
+/// So many moves are kept in a check, to look for those that cross contours; about 1 KiB each. A
+/// part has some hundreds, and a check of the largest programs stays within a few times their text.
+inline constexpr std::uint64_t kMovesLookedOver = 10'000;
 
 struct EvaluateOptions {
   Purpose purpose = Purpose::Path;
@@ -40,6 +44,8 @@ struct EvaluateOptions {
   /// How the equidistant goes round outer corners; see ContourOptions.
   CornerStyle corner = CornerStyle::Extend;
   Rational corner_limit = 4;
+  /// Which moves are looked at for going over a part.
+  CrossingMoves crossings = CrossingMoves::All;
   EvaluateBounds bounds;
   /// Of macros and definition files; nothing: as each of them looks.
   std::optional<Encoding> encoding;

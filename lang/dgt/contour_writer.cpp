@@ -50,9 +50,9 @@ void ContourWriter::end() {
   const auto turn = is_told ? find_turn(contour, built, before, options_) : std::optional<Turn>();
   report(built, contour, turn, evaluation_.bag);
   if (!built.faults.empty() || built.moves.empty()) return;
-  made_ += built.moves.size();
+  count_moves(built.moves.size());
   check_limit(made_, contour.range);
-  if (evaluation_.options.purpose == Purpose::Check) return;
+  if (!keeps_moves_) return;
   Contour& made = path_.contours.emplace_back();
   made.id = contour.id;
   made.offset = built.offset;
@@ -302,8 +302,8 @@ void ContourWriter::travel_to(const RationalPoint& to, Role role, const Item& it
 }
 
 Move& ContourWriter::push_stop(MoveKind kind, const Item& item) {
-  if (evaluation_.options.purpose == Purpose::Check) path_.moves.clear();
-  ++made_;
+  count_moves(1);
+  if (!keeps_moves_) path_.moves.clear();
   Move& move = path_.moves.emplace_back();
   move.kind = kind;
   move.from = move.to = state_.at;
@@ -330,6 +330,14 @@ void ContourWriter::check_limit(std::size_t moves, const Range& range) {
   if (moves <= limit || over_limit_) return;
   over_limit_ = true;
   evaluation_.report({Message::TooManyMoves, range, {std::to_string(limit)}});
+}
+
+void ContourWriter::count_moves(std::size_t moves) {
+  made_ += moves;
+  if (evaluation_.options.purpose != Purpose::Check || made_ <= kMovesLookedOver) return;
+  keeps_moves_ = false;
+  path_.moves = {};
+  path_.contours = {};
 }
 
 Toolpath ContourWriter::finish() {

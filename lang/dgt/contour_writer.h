@@ -80,6 +80,8 @@ class ContourWriter {
 
   /// More moves than the bounds allow; the evaluation is to stop.
   [[nodiscard]] bool is_over_limit() const { return over_limit_; }
+  /// Whether the path has all moves: a check of a long program keeps none.
+  [[nodiscard]] bool keeps_moves() const { return keeps_moves_; }
   /// The finished path, the files of its places included.
   [[nodiscard]] Toolpath finish();
 
@@ -120,6 +122,7 @@ class ContourWriter {
 
   [[nodiscard]] SourcePlace place_of(const Item& item);
   void check_limit(std::size_t moves, const Range& range);
+  void count_moves(std::size_t moves);
 
   Evaluation& evaluation_;
   ContourOptions options_;
@@ -130,6 +133,7 @@ class ContourWriter {
   std::vector<const SourceFile*> files_;  // of path_.files
   std::uint64_t made_ = 0;                // moves so far, kept or not
   bool over_limit_ = false;
+  bool keeps_moves_ = true;
 };
 
 }  // namespace dgt::language

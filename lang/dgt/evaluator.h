@@ -26,6 +26,8 @@ class Evaluator {
   [[nodiscard]] Toolpath run(ProgramReader& program);
 
   [[nodiscard]] const ElementTable& elements() const { return shared_.elements; }
+  /// Whether the path has all its moves; see Purpose::Check.
+  [[nodiscard]] bool keeps_moves() const { return contours_.keeps_moves(); }
   /// The files read on the way.
   [[nodiscard]] const std::vector<std::shared_ptr<const SourceFile>>& files() const {
     return files_;

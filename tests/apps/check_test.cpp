@@ -46,11 +46,11 @@ TEST(DgtCheck, SaysNothingOfASingleProgramThatIsRight) {
 TEST(DgtCheckFix, PutsAllReplacementsInPlaceAndTellsOfEach) {
   const TemporaryFolder folder;
   const std::string part = folder.write(
-      "part.bgt", "С1=X0,5 Y0 R5 ' круг, С1\r\nP1=X9 Y0\r\nB1=\"C1 P-1\"\r\nK1 P1 B1\r\n");
+      "part.bgt", "С1=X0,5 Y0 R5 ' круг, С1\r\nP1=X4 Y0\r\nB1=\"C1 P-1\"\r\nK1 P1 B1\r\n");
   const Outcome outcome = run_dgt({"check", "--fix", part});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(read_text(part),
-            "C1=X0.5 Y0 R5 ' круг, С1\r\nP1=X9 Y0\r\nB1=\"C1 P1,\"\r\nK1 P1 B1\r\n");
+            "C1=X0.5 Y0 R5 ' круг, С1\r\nP1=X4 Y0\r\nB1=\"C1 P1,\"\r\nK1 P1 B1\r\n");
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("dgt: note: " + part + ":1:1: 'С' is now 'C' [DGT0103]\n"),
                     HasSubstr(part + ":1:6: ',' is now '.' [DGT0204]\n"),

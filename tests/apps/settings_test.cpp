@@ -45,7 +45,7 @@ struct Machine {
 TEST(MachineSettings, EveryKeyOfTheExecutionChangesItsField) {
   Machine machine(
       "offset_side = 'left'\njoin_tolerance = 0.05\ngouge = 'warn'\n"
-      "corner = 'chamfer'\ncorner_limit = 2.5\n"
+      "corner = 'chamfer'\ncorner_limit = 2.5\ncrossings = 'leads'\n"
       "max_statements = 1\nmax_moves = 2\nmax_loop_depth = 3\nmax_macro_depth = 4\n"
       "max_text_depth = 5\n");
   const EvaluateOptions made = machine.settled().source.evaluate;
@@ -55,6 +55,7 @@ TEST(MachineSettings, EveryKeyOfTheExecutionChangesItsField) {
   EXPECT_EQ(made.gouge, GougePolicy::Warn);
   EXPECT_EQ(made.corner, CornerStyle::Chamfer);
   EXPECT_EQ(made.corner_limit, Rational(5, 2));
+  EXPECT_EQ(made.crossings, CrossingMoves::Leads);
   EXPECT_EQ(made.bounds.statements, 1U);
   EXPECT_EQ(made.bounds.moves, 2U);
   EXPECT_EQ(made.bounds.loop_depth, 3U);
@@ -125,6 +126,7 @@ TEST(MachineSettings, AFaultInSetIsReturned) {
                                  {"offset_side", "top"},
                                  {"gouge", "note"},
                                  {"corner", "sharp"},
+                                 {"crossings", "some"},
                                  {"corner_limit", "0.5"}})
     EXPECT_EQ(fault(setting).kind, SettingFault::Kind::BadValue) << setting.key;
 }

@@ -460,6 +460,12 @@ K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
 t.bgt:7:4: note: with W2 this stretch still works; that is the largest such W, in steps of 0.001 mm [DGT0503]
 K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
    ^~~~
+t.bgt:7:28: warning: on its way to L-4 the tool cuts 0.2 mm deep into K1, at X1.9 Y-10 [DGT0530]
+K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
+                           ^~~
+t.bgt:7:15: note: there the contour runs along L3 [DGT0533]
+K1 W2.1 L1 L2 L3 Y-10 Y-10 L-4 L2 L-5
+              ^~
 )");
 }
 
@@ -523,6 +529,122 @@ t.bgt:9:12: note: with L-2 here the tool cuts into nothing [DGT0517]
 AN1, L1 C2 L2 C-1
            ^~
 )");
+}
+
+const char* const kSquare = R"(L1=X0
+L2=Y0
+L3=X10
+L4=Y10
+)";
+
+TEST(DgtMessagesOfOffsets, ALeadThroughThePartCutsIntoIt) {
+  EXPECT_EQ(
+      CompiledProgram(std::string(kSquare) + R"(P1=X15 Y5
+G54 P1
+K1 W0.1 L1 L2 L-3 L-4 L1 L2
+)")
+          .messages(),
+      R"(t.bgt:7:9: note: the offset lies inside the closed contour, on the side of L1 where the tool stands before it [DGT0514]
+K1 W0.1 L1 L2 L-3 L-4 L1 L2
+        ^~
+t.bgt:7:12: warning: on its way to L2 the tool cuts 0.1 mm deep into K1, at X10 Y3.356 [DGT0530]
+K1 W0.1 L1 L2 L-3 L-4 L1 L2
+           ^~
+t.bgt:7:15: note: there the contour runs along L-3 [DGT0533]
+K1 W0.1 L1 L2 L-3 L-4 L1 L2
+              ^~~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, ALeadOutThroughThePartCutsIntoIt) {
+  EXPECT_EQ(
+      CompiledProgram(std::string(kSquare) + R"(P1=X-5 Y-5
+P2=X5 Y15
+G54 P1
+K1 W0.1 L1 L2 L-3 L-4 L1 L2 P2
+)")
+          .faults(),
+      R"(t.bgt:8:29: warning: on its way to P2 the tool cuts 0.1 mm deep into K1, at X5 Y0 [DGT0530]
+K1 W0.1 L1 L2 L-3 L-4 L1 L2 P2
+                            ^~
+t.bgt:8:12: note: there the contour runs along L2 [DGT0533]
+K1 W0.1 L1 L2 L-3 L-4 L1 L2 P2
+           ^~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, WithoutAnOffsetLeadsCutAcross) {
+  EXPECT_EQ(
+      CompiledProgram(std::string(kSquare) + R"(P1=X15 Y5
+P2=X5 Y15
+G54 P1
+K1 L1 L2 L-3 L-4 L1 L2 P2
+)")
+          .faults(),
+      R"(t.bgt:8:7: warning: on its way to L2 the tool cuts across K1 at X10 Y3.333 [DGT0531]
+K1 L1 L2 L-3 L-4 L1 L2 P2
+      ^~
+t.bgt:8:10: note: there the contour runs along L-3 [DGT0533]
+K1 L1 L2 L-3 L-4 L1 L2 P2
+         ^~~
+t.bgt:8:24: warning: on its way to P2 the tool cuts across K1 at X5 Y10 [DGT0531]
+K1 L1 L2 L-3 L-4 L1 L2 P2
+                       ^~
+t.bgt:8:14: note: there the contour runs along L-4 [DGT0533]
+K1 L1 L2 L-3 L-4 L1 L2 P2
+             ^~~
+)");
+}
+
+TEST(DgtMessagesOfOffsets, ARapidOverAPartIsAWarningThatASettingTakesAway) {
+  const std::string program = std::string(kSquare) + R"(P1=X-5 Y-5
+P2=X15 Y5
+G54 P1
+K1 W0.1 L1 L2 L-3 L-4 L1 L2
+G0 P2
+)";
+  EXPECT_EQ(
+      CompiledProgram(program).faults(),
+      R"(t.bgt:9:1: warning: the rapid goes across K1 at X0.196 Y0; the setting crossings = leads allows that [DGT0532]
+G0 P2
+^~
+t.bgt:8:12: note: there the contour runs along L2 [DGT0533]
+K1 W0.1 L1 L2 L-3 L-4 L1 L2
+           ^~
+)");
+  EvaluateOptions leads;
+  leads.crossings = CrossingMoves::Leads;
+  EXPECT_EQ(CompiledProgram(program, {}, leads).faults(), "");
+}
+
+TEST(DgtMessagesOfOffsets, ACheckOfAVeryLongProgramSaysWhatItDoesNotLookFor) {
+  EvaluateOptions check;
+  check.purpose = Purpose::Check;
+  EXPECT_EQ(
+      CompiledProgram(R"(P1=X-5 Y-5
+P2=X15 Y5
+FOR 5001
+G0 P1
+G0 P2
+NEXT
+)",
+                      {}, check)
+          .messages(),
+      R"(t.bgt:1:1: note: the program makes more than 10000 moves; whether approaches and rapids go over a part is looked at when it is compiled [DGT0534]
+P1=X-5 Y-5
+^
+)");
+}
+
+TEST(DgtMessagesOfOffsets, ACheckSeesTheCrossingsThatACompilationSees) {
+  EvaluateOptions check;
+  check.purpose = Purpose::Check;
+  const std::string program =
+      std::string(kSquare) + "P1=X15 Y5\nG54 P1\nK1 L1 L2 L-3 L-4 L1 L2 P1\n";
+  const CompiledProgram checked(program, {}, check);
+  EXPECT_EQ(checked.messages(), CompiledProgram(program).messages());
+  ASSERT_TRUE(checked.result().path);
+  EXPECT_TRUE(checked.result().path->moves.empty());
 }
 
 }  // namespace
