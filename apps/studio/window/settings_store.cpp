@@ -27,7 +27,10 @@ QString colour_key(Theme theme, const ColourRow& row) {
 
 }  // namespace
 
-SettingsStore::SettingsStore() : file_(file_name(), QSettings::IniFormat) {}
+SettingsStore::SettingsStore(const QString& file)
+    : file_(file.isEmpty() ? file_name() : file, QSettings::IniFormat) {}
+
+int SettingsStore::standard_font_size() { return kStandardFontSize; }
 
 Language SettingsStore::language() const {
   const QString saved = file_.value(QStringLiteral("language")).toString();

@@ -19,9 +19,10 @@ inline constexpr int kRecentFiles = 4;
 /// Panels keep theirs in groups of their own, through `panel`.
 class SettingsStore {
  public:
-  SettingsStore();
+  /// `file`: instead of the user's.
+  explicit SettingsStore(const QString& file = {});
 
-  /// As asked for on the command line or by the system until a person has chosen.
+  /// As the system asks until a person has chosen.
   [[nodiscard]] Language language() const;
   void set_language(Language language);
   [[nodiscard]] Theme theme() const;
@@ -31,6 +32,7 @@ class SettingsStore {
   void set_colours(Theme theme, const Colours& colours);
   [[nodiscard]] int font_size() const;  ///< of programs, in points
   void set_font_size(int points);
+  [[nodiscard]] static int standard_font_size();
   [[nodiscard]] QStringList recent_files() const;  ///< newest first
   void add_recent_file(const QString& name);
   void remove_recent_file(const QString& name);
