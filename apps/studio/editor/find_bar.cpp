@@ -176,7 +176,7 @@ void FindBar::replace_all() {
   }
   after += QStringView(before).mid(done);
   if (count > 0) editor_->replace_text(after);
-  result_->setText(tr("%n replaced", nullptr, count));
+  result_->setText(tr("Replaced: %1").arg(count));
 }
 
 void FindBar::keyPressEvent(QKeyEvent* event) {

@@ -161,15 +161,14 @@ void Documents::show_loaded(const LoadedText& loaded) {
 
 void Documents::tell_how_read(const LoadedText& loaded) {
   if (loaded.strays > 0) {
-    notices_->show_notice({subject(kReading),
-                           [count = loaded.strays] {
-                             return tr(
-                                 "%n byte(s) of the file are no text in this encoding, and "
-                                 "saving would lose them. Choose another encoding at the "
-                                 "bottom of the window.",
-                                 nullptr, static_cast<int>(count));
-                           },
-                           {{[] { return tr("OK"); }, {}}}});
+    notices_->show_notice(
+        {subject(kReading),
+         [count = loaded.strays] {
+           return tr("Bytes of the file that are no text in this encoding: %1. Saving would lose "
+                     "them. Choose another encoding at the bottom of the window.")
+               .arg(count);
+         },
+         {{[] { return tr("OK"); }, {}}}});
   } else if (loaded.unsure) {
     notices_->show_notice({subject(kReading),
                            [] {

@@ -147,8 +147,8 @@ void StatusFields::show_verdict() {
     verdict_->setIcon(sign_icon(QStringLiteral("good"), &Colours::programmed));
   }
   QStringList said;
-  if (errors_ > 0) said.push_back(tr("%n error(s)", nullptr, errors_));
-  if (warnings_ > 0) said.push_back(tr("%n warning(s)", nullptr, warnings_));
+  if (errors_ > 0) said.push_back(tr("errors: %1").arg(errors_));
+  if (warnings_ > 0) said.push_back(tr("warnings: %1").arg(warnings_));
   if (said.isEmpty()) said.push_back(tr("no errors"));
   verdict_->setText(at_work_ ? tr("compiling…") : said.join(QStringLiteral(", ")));
 }
