@@ -3,12 +3,20 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
-#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include "tests/studio/doomed_window.h"
 
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  testing::InitGoogleMock(&argc, argv);
-  QStandardPaths::setTestModeEnabled(true);  // no settings of the person who runs this
+  // Nothing of the person who runs this is read or changed; a parent process may say where else.
+  const QTemporaryDir home;
+  for (const char* const name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
+    if (!qEnvironmentVariableIsSet("DGT_STUDIO_DOOMED")) qputenv(name, home.path().toUtf8());
+  }
   QApplication application(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("dgt-studio"));
+  if (qEnvironmentVariableIsSet("DGT_STUDIO_DOOMED")) return dgt::studio::live_until_killed();
+  testing::InitGoogleMock(&argc, argv);
   return RUN_ALL_TESTS();
 }
