@@ -47,6 +47,11 @@ class StudioWindow : public testing::Test {
     }
   }
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    if (QApplication::activeWindow() ==
+        nullptr) {  // behind a dialog; elsewhere the desktop does it
+      window->activateWindow();
+      ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    }
     QWidget* focus = QApplication::activePopupWidget();
     if (focus == nullptr) focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr ? focus : window.get(), key, modifiers);
@@ -86,6 +91,12 @@ class NextDialog : public QObject {
   QTimer timer_;
   bool came_ = false;
 };
+
+/// What a message box says.
+inline QString said_by(const QDialog& box) {
+  const auto* const message = qobject_cast<const QMessageBox*>(&box);
+  return message == nullptr ? QString() : message->text();
+}
 
 /// Clicks a button of a message box by its text.
 inline void click(QDialog& box, const QString& label) {

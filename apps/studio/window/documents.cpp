@@ -29,6 +29,7 @@ Documents::Documents(SourceEditor* editor, NoticeBar* notices, SettingsStore* se
   connect(&document_, &Document::changed, this, &Documents::document_changed);
   connect(&document_, &Document::changed_on_disk, this, &Documents::note_disk);
   connect(&recovery_, &Recovery::wanted, this, &Documents::keep);
+  connect(&recovery_, &Recovery::kept, this, &Documents::drop_restored);
   connect(&recovery_, &Recovery::failed, this, [this](const QString& why) {
     emit told(tr("Unsaved text cannot be kept for recovery: %1").arg(why));
   });
@@ -36,7 +37,7 @@ Documents::Documents(SourceEditor* editor, NoticeBar* notices, SettingsStore* se
     if (editor_->document()->isModified()) recovery_.touch();
   });
   connect(editor_->document(), &QTextDocument::modificationChanged, this, [this](bool modified) {
-    if (!modified) recovery_.forget();
+    if (!modified) forget();
     emit document_changed();
   });
 }
@@ -147,7 +148,7 @@ bool Documents::take_text(const QString& text) {
 }
 
 void Documents::show_loaded(const LoadedText& loaded) {
-  recovery_.forget();
+  forget();
   notices_->withdraw(subject(kOnDisk));
   notices_->withdraw(subject(kReading));
   const std::string name = document_.name().toStdString();
@@ -208,7 +209,7 @@ bool Documents::save_to(const QString& name) {
   }
   notices_->withdraw(subject(kOnDisk));
   editor_->document()->setModified(false);
-  recovery_.forget();
+  forget();
   editor_->set_language(language_of(document_.name().toStdString()).value_or(InputLanguage::Dgt));
   settings_->add_recent_file(document_.name());
   emit recent_changed();
@@ -267,6 +268,6 @@ void Documents::set_line_end(LineEnd line_end) {
   recovery_.touch();
 }
 
-void Documents::finish() { recovery_.forget(); }
+void Documents::finish() { forget(); }
 
 }  // namespace dgt::studio

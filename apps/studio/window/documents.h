@@ -60,6 +60,8 @@ class Documents : public QObject {
   void note_disk();
   void offer(const LeftText& left);
   void restore(const LeftText& left);
+  void forget();
+  void drop_restored();
   void tell_failure(const QString& sentence);
   [[nodiscard]] QString suggested_name() const;
   [[nodiscard]] QString file_filters() const;
@@ -70,6 +72,7 @@ class Documents : public QObject {
   SettingsStore* settings_;
   Document document_;
   Recovery recovery_;
+  std::optional<LeftText> restored_;  ///< until it is kept under our name, saved or given up
 };
 
 }  // namespace dgt::studio

@@ -72,11 +72,18 @@ void Documents::restore(const LeftText& left) {
   document_.take_over(left.kept.name, left.kept.form);
   show_loaded({.text = left.kept.text, .form = left.kept.form});
   editor_->document()->setModified(true);
-  // The old file goes once the text is kept in ours.
-  connect(
-      &recovery_, &Recovery::kept, this, [left] { Recovery::remove(left); },
-      Qt::SingleShotConnection);
+  restored_ = left;
   keep();
+}
+
+void Documents::forget() {
+  recovery_.forget();
+  drop_restored();
+}
+
+void Documents::drop_restored() {
+  if (restored_) Recovery::remove(*restored_);
+  restored_.reset();
 }
 
 }  // namespace dgt::studio
