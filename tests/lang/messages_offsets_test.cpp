@@ -574,14 +574,13 @@ K1 W0.1 L1 L2 L-3 L-4 L1 L2 P2
 }
 
 TEST(DgtMessagesOfOffsets, WithoutAnOffsetLeadsCutAcross) {
-  EXPECT_EQ(
-      CompiledProgram(std::string(kSquare) + R"(P1=X15 Y5
+  EXPECT_EQ(CompiledProgram(std::string(kSquare) + R"(P1=X15 Y5
 P2=X5 Y15
 G54 P1
 K1 L1 L2 L-3 L-4 L1 L2 P2
 )")
-          .faults(),
-      R"(t.bgt:8:7: warning: on its way to L2 the tool cuts across K1 at X10 Y3.333 [DGT0531]
+                .faults(),
+            R"(t.bgt:8:7: warning: on its way to L2 the tool cuts across K1 at X10 Y3.333 [DGT0531]
 K1 L1 L2 L-3 L-4 L1 L2 P2
       ^~
 t.bgt:8:10: note: there the contour runs along L-3 [DGT0533]

@@ -29,8 +29,9 @@ FormList::FormList(QWidget* parent) : QListWidget(parent) {
 void FormList::measure() {
   const int width = fontMetrics().horizontalAdvance(u'0') * kLettersWide;
   setIconSize({width, width * kHeight / kWidth});
-  const int columns = std::max(1, viewport()->width() / (width + kGap));
-  setGridSize({std::max(width + kGap, viewport()->width() / columns),
+  const int room = viewport()->width() - kGap;  // some of it the list keeps for itself
+  const int columns = std::max(1, room / (width + kGap));
+  setGridSize({std::max(width + kGap, room / columns),
                width * kHeight / kWidth + fontMetrics().height() * 2 + kGap});
   for (int i = 0; i < count(); ++i) item(i)->setSizeHint(gridSize());
 }

@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "apps/studio/flow_layout.h"
 #include "apps/studio/language.h"
 #include "apps/studio/window/theme.h"
 #include "apps/studio/wizard/definition_forms.h"
-#include "apps/studio/wizard/flow_layout.h"
 #include "lang/dgt/parser.h"
 
 namespace dgt::studio {

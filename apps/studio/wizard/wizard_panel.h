@@ -72,7 +72,7 @@ class WizardPanel : public QWidget {
   QPlainTextEdit* example_text_ = nullptr;
   QPushButton* insert_ = nullptr;
   bool is_drawn_ = false;
-  Background background_;
+  Background background_{this};
 };
 
 }  // namespace dgt::studio

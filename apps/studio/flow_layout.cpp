@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "apps/studio/wizard/flow_layout.h"
+#include "apps/studio/flow_layout.h"
 
 #include <QStyle>
 #include <QWidget>
