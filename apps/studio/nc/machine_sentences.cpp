@@ -37,7 +37,7 @@ QString sentence_of(const MachineFault& fault) {
   return {};
 }
 
-std::vector<Fault> faults_of(const SettledMachine& machine, Language language) {
+std::vector<Fault> messages_of(const SettledMachine& machine, Language language) {
   std::vector<Fault> faults;
   for (const MachineMessages& messages : machine.messages) {
     Compilation told;  // its places are those of another file

@@ -14,6 +14,6 @@ namespace dgt::studio {
 [[nodiscard]] QString sentence_of(const MachineFault& fault);
 
 /// What is to be said about the files of a machine.
-[[nodiscard]] std::vector<Fault> faults_of(const SettledMachine& machine, Language language);
+[[nodiscard]] std::vector<Fault> messages_of(const SettledMachine& machine, Language language);
 
 }  // namespace dgt::studio

@@ -8,7 +8,7 @@ namespace dgt::studio {
 
 NcProgramTextPtr write_nc(const NcWish& wish) {
   auto made = std::make_shared<NcProgramText>();
-  made->part = wish.part;
+  made->wish = wish;
   made->machine = settle(wish.machine);
   if (!made->machine.settings) return made;
   Dialect& dialect = made->machine.settings->dialect;
@@ -22,7 +22,7 @@ PartPtr read_nc(const NcProgramText& base, const std::string& name, const std::s
   const auto language = language_of(base.settings().dialect);
   if (!language) return nullptr;
   auto read = std::make_shared<Part>();
-  read->revision = base.part->revision;
+  read->revision = base.wish.part->revision;
   read->name = name;
   read->settings = base.settings();
   read->settings.source = as_its_control(base.settings());

@@ -22,7 +22,7 @@ struct NcWish {
 
 /// An NC program as it was written, or why it was not.
 struct NcProgramText {
-  PartPtr part;
+  NcWish wish;
   SettledMachine machine;
   WriteResult written;
   DiagnosticBag said;  ///< points into the part's sources
