@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
-
 #include "apps/cli/session.h"
 #include "apps/cli/verbs.h"
-#include "apps/driver/names.h"
-#include "apps/driver/picture.h"
-#include "post/dxf.h"
-#include "post/svg.h"
+#include "apps/driver/drawing_file.h"
 
 namespace dgt::cli {
 namespace {
@@ -17,39 +12,20 @@ struct PlotOptions {
   double size = DrawingStyle{}.size;
 };
 
-enum class DrawingForm : std::uint8_t { Svg, Pdf, Png, Dxf };
-
-/// By the extension; standard output is SVG.
-std::optional<DrawingForm> form_of(const std::string& name) {
-  const std::string extension = CLI::detail::to_lower(std::filesystem::path(name).extension());
-  if (name == kStream || extension == ".svg") return DrawingForm::Svg;
-  if (extension == ".pdf") return DrawingForm::Pdf;
-  if (extension == ".png") return DrawingForm::Png;
-  if (extension == ".dxf") return DrawingForm::Dxf;
-  return std::nullopt;
-}
-
-std::string drawn(const Compilation& made, const PlotOptions& options, DrawingForm form) {
-  const Toolpath& path = *made.result.path;
-  if (form == DrawingForm::Dxf) return draw_dxf(path);
-  DrawingStyle style;
-  style.size = options.size;
-  const std::vector<NamedShape> named = options.names ? names_of(made) : std::vector<NamedShape>();
-  const std::string svg = draw_svg(path, style, named);
-  if (form == DrawingForm::Pdf) return pdf_of(svg);
-  return form == DrawingForm::Png ? png_of(svg) : svg;
-}
-
 ExitCode run(const PlotOptions& options, const Console& console) {
   const Request& request = options.request;
-  const auto form = form_of(request.output);
+  const auto form = drawing_form(request.output);
   if (!form) {
     console.error(Text::UnknownDrawing, {request.output});
     return ExitCode::WrongUsage;
   }
   const auto made = load(request.file, request.source, console);
   if (!made) return made.error();
-  return write_result(request.output, drawn(*made, options, *form), console);
+  DrawingOptions drawing;
+  drawing.form = *form;
+  drawing.names = options.names;
+  drawing.style.size = options.size;
+  return write_result(request.output, drawing_of(*made, drawing), console);
 }
 
 }  // namespace

@@ -6,41 +6,54 @@
 #include <cmath>
 #include <iterator>
 
-#include "post/figures.h"
-
 namespace dgt {
 namespace {
 
 // 1e-6 mm, which no digit of a machine shows; figures below it are not to print as "-0.000000".
 double shown(double value) { return std::abs(value) < 0.5e-6 ? 0.0 : value; }
 
-void append_point(std::string& out, std::size_t number, double x, double y) {
-  fmt::format_to(std::back_inserter(out), "{:6} {:14.6f} {:14.6f}  ", number, shown(x), shown(y));
-}
-
-void append_move(std::string& out, const Move& move) {
-  out += name_of(move.kind);
-  if (move.kind == MoveKind::Arc) {
-    const ArcFigures arc = figures(move);
-    fmt::format_to(std::back_inserter(out), " X{:.6f} Y{:.6f} R{:.6f}", shown(arc.centre_x),
-                   shown(arc.centre_y), arc.counter_clockwise ? arc.radius : -arc.radius);
+void append_point(std::string& out, std::size_t number, const ControlPoint& point) {
+  fmt::format_to(std::back_inserter(out), "{:6} {:14.6f} {:14.6f}  {}", number, shown(point.x),
+                 shown(point.y), point_kind(point));
+  if (point.arc) {
+    fmt::format_to(std::back_inserter(out), " X{} Y{} R{}", point_figure(point.arc->centre_x),
+                   point_figure(point.arc->centre_y), point_figure(signed_radius(*point.arc)));
   }
-  if (move.z) fmt::format_to(std::back_inserter(out), " Z{:.6f}", shown(coordinate(*move.z)));
+  if (point.z) fmt::format_to(std::back_inserter(out), " Z{}", point_figure(*point.z));
+  out += '\n';
 }
 
 }  // namespace
 
-std::string list_points(const Toolpath& path) {
-  std::string out;
-  std::size_t number = 1;
-  append_point(out, number, coordinate(path.start.x), coordinate(path.start.y));
-  out += "start\n";
+std::vector<ControlPoint> control_points(const Toolpath& path) {
+  std::vector<ControlPoint> points;
+  points.push_back({coordinate(path.start.x), coordinate(path.start.y), {}, {}, {}, {}});
   for (const Move& move : path.moves) {
     if (!move.travels()) continue;
-    append_point(out, ++number, move.to.x(), move.to.y());
-    append_move(out, move);
-    out += '\n';
+    ControlPoint& point = points.emplace_back();
+    point.x = move.to.x();
+    point.y = move.to.y();
+    point.kind = move.kind;
+    if (move.kind == MoveKind::Arc) point.arc = figures(move);
+    if (move.z) point.z = coordinate(*move.z);
+    point.source = move.source;
   }
+  return points;
+}
+
+std::string point_figure(double value) { return fmt::format("{:.6f}", shown(value)); }
+
+std::string point_kind(const ControlPoint& point) {
+  return point.kind ? name_of(*point.kind) : "start";
+}
+
+double signed_radius(const ArcFigures& arc) {
+  return arc.counter_clockwise ? arc.radius : -arc.radius;
+}
+
+std::string list_points(std::span<const ControlPoint> points, std::size_t first) {
+  std::string out;
+  for (const ControlPoint& point : points) append_point(out, first++, point);
   return out;
 }
 
