@@ -122,6 +122,13 @@ DrawnPlace direction_at(const DrawnCurve& curve, double part) {
   return curve.sweep > 0 ? turned_left(out) : -1 * turned_left(out);
 }
 
+DrawnCurve beginning_of(const DrawnCurve& curve, double part) {
+  DrawnCurve beginning = curve;
+  beginning.to = place_at(curve, part);
+  beginning.sweep = part * curve.sweep;
+  return beginning;
+}
+
 Box box_around(const DrawnCurve& curve) {
   if (!curve.is_arc()) return box_of_ends(curve.from, curve.to, 0);
   const double angle = std::fabs(curve.sweep);

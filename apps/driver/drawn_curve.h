@@ -48,6 +48,9 @@ struct DrawnCurve {
 /// The unit vector of travel there; (1, 0) where there is none.
 [[nodiscard]] DrawnPlace direction_at(const DrawnCurve& curve, double part);
 
+/// The curve from its beginning to the place `part` of the way along, 0…1.
+[[nodiscard]] DrawnCurve beginning_of(const DrawnCurve& curve, double part);
+
 /// A box that holds the curve, but for a few ulps; seldom the least.
 [[nodiscard]] Box box_around(const DrawnCurve& curve);
 [[nodiscard]] bool overlap(const Box& a, const Box& b);

@@ -127,4 +127,10 @@ double DrawnPath::kerf_radius(ToolPlace tool) const {
   return kerf_radius(move(std::min(tool.steps, steps_.size() - 1)));
 }
 
+double DrawnPath::widest_kerf() const {
+  double widest = 0;
+  for (const Kerf& kerf : kerfs_) widest = std::max(widest, kerf.radius);
+  return widest;
+}
+
 }  // namespace dgt

@@ -56,6 +56,7 @@ class DrawnPath {
   /// that of the contour before, before the first that of the first.
   [[nodiscard]] double kerf_radius(std::uint32_t move) const;
   [[nodiscard]] double kerf_radius(ToolPlace tool) const;
+  [[nodiscard]] double widest_kerf() const;  ///< the largest of them
 
  private:
   struct Step {

@@ -85,6 +85,15 @@ Summary summarise(const Toolpath& path, const MotionSettings& motion) {
   return sum;
 }
 
+WayLengths way_lengths(const Toolpath& path) {
+  WayLengths sum;
+  for (const Contour& contour : path.contours) sum.programmed += lengths(contour.programmed).cut;
+  const Lengths tool = lengths(path.moves);
+  sum.cut = tool.cut;
+  sum.rapid = tool.rapid;
+  return sum;
+}
+
 std::string to_text(const Summary& sum, Language language) {
   const Words& w = words(language);
   std::string out = w.moves;

@@ -26,6 +26,14 @@ struct Summary {
 };
 [[nodiscard]] Summary summarise(const Toolpath& path, const MotionSettings& motion = {});
 
+/// How long the ways of a path are, in mm; approaches and departures count.
+struct WayLengths {
+  double programmed = 0;  ///< cut along the contours with W = 0
+  double cut = 0;         ///< cut by the tool
+  double rapid = 0;
+};
+[[nodiscard]] WayLengths way_lengths(const Toolpath& path);
+
 /// A few lines for a person; lengths with three decimals.
 [[nodiscard]] std::string to_text(const Summary& summary, Language language);
 /// `dgt-info/1`: {"schema", "units", "moves": {kind: count}, "contours", "pierces", "length":

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/studio/drawing/picture.h"
+
+#include <QPainter>
+#include <cmath>
+#include <utility>
+
+#include "apps/studio/drawing/scene_painter.h"
+
+namespace dgt::studio {
+namespace {
+
+/// Painted in a few milliseconds.
+constexpr std::size_t kAtOnce = 3000;  // curves
+constexpr double kBorder = 0.25;       // of the window, on each side
+
+/// Where the upper left corner of the picture stands in the window.
+QPointF corner(const View& picture, const View& view) {
+  const double scale = view.scale / picture.scale;
+  const QPointF middle = view.pixel(picture.centre);
+  return middle - scale * QPointF(picture.size.width() / 2, picture.size.height() / 2);
+}
+
+/// The same view with its middle on a whole pixel of the window, so that pictures can be moved by
+/// whole pixels.
+QPointF whole(QPointF p) { return {std::round(p.x()), std::round(p.y())}; }
+
+}  // namespace
+
+Picture paint_picture(ScenePtr scene, const View& view, const Look& look) {
+  Picture picture{QImage(view.size.toSize(), QImage::Format_ARGB32_Premultiplied), view, look, {}};
+  picture.image.fill(Qt::transparent);
+  if (scene) {
+    QPainter painter(&picture.image);
+    paint_scene(painter, *scene, view, look);
+  }
+  picture.scene = std::move(scene);
+  return picture;
+}
+
+PictureStore::PictureStore(QObject* parent)
+    : QObject(parent), task_(this, [this](Picture picture) {
+        picture_ = std::move(picture);
+        emit changed();
+      }) {}
+
+void PictureStore::paint(QPainter& painter, const ScenePtr& scene, const View& view,
+                         const Look& look) {
+  settled_ = is_of(scene, look) && fits(view);
+  if (!settled_ && (!scene || scene->curves() <= kAtOnce)) {
+    picture_ = paint_picture(scene, view, look);
+    asked_ = {};
+    settled_ = true;
+  } else if (!settled_) {
+    ask(scene, view, look);
+  }
+  if (picture_.image.isNull()) return;
+  const QPointF at = corner(picture_.view, view);
+  const double scale = view.scale / picture_.view.scale;
+  if (scale == 1) {
+    painter.drawImage(whole(at), picture_.image);
+  } else {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 4);
+    painter.drawImage(QRectF(at, scale * picture_.view.size), picture_.image);
+  }
+}
+
+std::optional<std::uint32_t> PictureStore::run_to(const ScenePtr& scene) const {
+  if (picture_.scene != scene || picture_.image.isNull()) return std::nullopt;
+  return picture_.look.run_to;
+}
+
+bool PictureStore::is_of(const ScenePtr& scene, const Look& look) const {
+  return !picture_.image.isNull() && picture_.scene == scene && picture_.look == look;
+}
+
+bool PictureStore::fits(const View& view) const {
+  if (picture_.view.scale != view.scale) return false;
+  const QPointF at = whole(corner(picture_.view, view));
+  return at.x() <= 0 && at.y() <= 0 && at.x() + picture_.view.size.width() >= view.size.width() &&
+         at.y() + picture_.view.size.height() >= view.size.height();
+}
+
+void PictureStore::ask(const ScenePtr& scene, const View& view, const Look& look) {
+  const bool is_asked = asked_.scene == scene && asked_.view == view && asked_.look == look;
+  if (is_asked && task_.is_busy()) return;
+  asked_ = {{}, view, look, scene};
+  const QSizeF border(std::ceil(kBorder * view.size.width()),
+                      std::ceil(kBorder * view.size.height()));
+  const View wide = view.widened(border);
+  const auto work = [scene, wide, look](const auto&) -> std::optional<Picture> {
+    return paint_picture(scene, wide, look);
+  };
+  if (picture_.scene == scene) {
+    task_.ask_next(work);
+  } else {
+    task_.ask(work);
+  }
+}
+
+}  // namespace dgt::studio
