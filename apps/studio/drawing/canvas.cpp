@@ -32,9 +32,14 @@ Canvas::Canvas(ToolRun& tool, QWidget* parent) : QWidget(parent), tool_(tool) {
   setMinimumSize(120, 90);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  connect(&tool_, &ToolRun::moved, this, qOverload<>(&QWidget::update));
-  connect(&pictures_, &PictureStore::changed, this, qOverload<>(&QWidget::update));
-  connect(&Appearance::of_program(), &Appearance::changed, this, qOverload<>(&QWidget::update));
+  connect(&tool_, &ToolRun::moved, this, &Canvas::refresh);
+  connect(&pictures_, &PictureStore::changed, this, &Canvas::refresh);
+  connect(&Appearance::of_program(), &Appearance::changed, this, &Canvas::refresh);
+}
+
+void Canvas::refresh() {
+  settled_ = false;
+  update();
 }
 
 void Canvas::show_scene(ScenePtr scene) {
@@ -43,22 +48,22 @@ void Canvas::show_scene(ScenePtr scene) {
   measure_.clear();
   if (fitted_) fit();
   if (pointer_) point_at(*pointer_);
-  update();
+  refresh();
 }
 
 void Canvas::set_stale(bool stale) {
   stale_ = stale;
-  update();
+  refresh();
 }
 
 void Canvas::show_what(const Shown& shown) {
   shown_ = shown;
-  update();
+  refresh();
 }
 
 void Canvas::light(const LitLine& lit, bool bring) {
   lit_ = lit;
-  update();
+  refresh();
   if (!bring || !scene_ || lit.line == 0) return;
   Box box;
   for (const DrawnLayer* layer : layers()) {
@@ -73,7 +78,7 @@ void Canvas::light(const LitLine& lit, bool bring) {
 
 void Canvas::light_point(std::size_t number) {
   lit_point_ = number;
-  update();
+  refresh();
   if (!scene_ || number == 0 || number > scene_->path.steps() + 1) return;
   const DrawnPlace at = scene_->path.place({number - 1, 0});
   bring_into_view({at.x, at.y, at.x, at.y});
@@ -81,7 +86,7 @@ void Canvas::light_point(std::size_t number) {
 
 void Canvas::set_decimals(int decimals) {
   decimals_ = decimals;
-  update();
+  refresh();
 }
 
 void Canvas::set_measuring(bool measuring) {
@@ -91,7 +96,7 @@ void Canvas::set_measuring(bool measuring) {
   hover_.reset();
   if (pointer_) point_at(*pointer_);
   emit hint_changed();
-  update();
+  refresh();
 }
 
 void Canvas::fit() { set_view(fitted_view(), true); }
@@ -106,8 +111,7 @@ void Canvas::zoom(double factor) {
 
 void Canvas::zoom_about(double factor, QPointF about) {
   const Box box = scene_ ? scene_->path.box() : Box{};
-  const double scale =
-      std::clamp(view_.scale * factor, coarsest_scale(box), finest_scale(box));
+  const double scale = std::clamp(view_.scale * factor, coarsest_scale(box), finest_scale(box));
   set_view(view_.zoomed(scale / view_.scale, about), false);
 }
 
@@ -130,7 +134,7 @@ void Canvas::set_view(const View& view, bool fitted) {
   if (view == view_) return;
   view_ = view;
   if (pointer_) point_at(*pointer_);
-  update();
+  refresh();
   emit view_changed();
 }
 
@@ -159,7 +163,8 @@ Look Canvas::look_of_picture() const {
   constexpr std::size_t kFew = 200;  // moves
   Look wanted = look();
   wanted.pixel = devicePixelRatioF();
-  wanted.font.setPixelSize(static_cast<int>(std::lround(QFontInfo(font()).pixelSize() * wanted.pixel)));
+  wanted.font.setPixelSize(
+      static_cast<int>(std::lround(QFontInfo(font()).pixelSize() * wanted.pixel)));
   if (!scene_) return wanted;
   const DrawnPath& path = scene_->path;
   wanted.run_to = first_undone(path, tool_.place().steps);
@@ -181,7 +186,13 @@ void Canvas::paintEvent(QPaintEvent* /*event*/) {
   painter.scale(1 / ratio, 1 / ratio);
   pictures_.paint(painter, scene_, view_.on_pixels(ratio), look_of_picture());
   painter.restore();
-  if (!scene_) return;
+  if (scene_) paint_over(painter, plain);
+  const bool was_settled = std::exchange(settled_, pictures_.is_settled());
+  if (settled_ && !was_settled)
+    QMetaObject::invokeMethod(this, &Canvas::settled, Qt::QueuedConnection);
+}
+
+void Canvas::paint_over(QPainter& painter, const Look& plain) const {
   painter.setRenderHint(QPainter::Antialiasing);
   paint_run(painter, plain);
   paint_hover(painter, plain);

@@ -32,7 +32,7 @@ class Canvas : public QWidget {
   [[nodiscard]] const Shown& shown() const { return shown_; }
   [[nodiscard]] bool is_measuring() const { return measuring_; }
   [[nodiscard]] const View& view() const { return view_; }  ///< in pixels of the widget
-  [[nodiscard]] bool is_settled() const { return pictures_.is_settled(); }
+  [[nodiscard]] bool is_settled() const { return settled_; }
   /// What is under the pointer, and what a click does there.
   [[nodiscard]] QString hint() const;
 
@@ -47,6 +47,8 @@ class Canvas : public QWidget {
   void place_chosen(int file, int line, int column);
   void measuring_left();
   void view_changed();
+  /// A painting has shown all there is to show.
+  void settled();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -82,6 +84,8 @@ class Canvas : public QWidget {
 
   [[nodiscard]] Look look() const;
   [[nodiscard]] Look look_of_picture() const;
+  void refresh();  ///< what is seen is out of date
+  void paint_over(QPainter& painter, const Look& look) const;
   void paint_tool(QPainter& painter, const Look& look) const;
   void paint_run(QPainter& painter, const Look& look) const;
   void paint_hover(QPainter& painter, const Look& look) const;
@@ -99,6 +103,7 @@ class Canvas : public QWidget {
   double factor_ = 2;
   bool stale_ = false;
   bool measuring_ = false;
+  bool settled_ = false;
   Measuring measure_;
   std::optional<Hit> hover_;
   std::optional<QPointF> pointer_;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "apps/studio/drawing/canvas.h"
-#include "apps/studio/drawing/figure.h"
+#include "apps/studio/drawing/figure_text.h"
 
 namespace dgt::studio {
 namespace {
@@ -70,7 +70,7 @@ void Canvas::click(QPointF pixel, Qt::MouseButton button, Qt::KeyboardModifiers 
   point_at(pixel);
   if (measuring_) {
     measure_.take();
-    update();
+    refresh();
     emit hint_changed();
   } else if (hover_ && !(modifiers & Qt::ControlModifier)) {
     const SourcePlace& place = hover_->layer->source(hover_->curve);
@@ -143,7 +143,7 @@ void Canvas::leaveEvent(QEvent* /*event*/) {
   pointer_.reset();
   hover_.reset();
   measure_.leave();
-  update();
+  refresh();
   emit pointed_away();
   emit hint_changed();
 }
@@ -153,14 +153,13 @@ void Canvas::point_at(QPointF pixel) {
   const DrawnPlace place = view_.place(pixel);
   if (measuring_) {
     measure_.point(layers(), place, kSnapReach / view_.scale);
-    update();
+    refresh();
   } else if (!dragging_) {
     const auto under = hit(pixel);
-    if (under != hover_) update();
+    if (under != hover_) refresh();
     hover_ = under;
   }
-  if (!dragging_)
-    setCursor(hover_ ? Qt::PointingHandCursor : Qt::CrossCursor);
+  if (!dragging_) setCursor(hover_ ? Qt::PointingHandCursor : Qt::CrossCursor);
   emit pointed_at(place.x, place.y);
   emit hint_changed();
 }
@@ -185,8 +184,8 @@ std::optional<Canvas::Hit> Canvas::hit(QPointF pixel) const {
 QString Canvas::describe(const Hit& hit) const {
   const DrawnCurve curve = (*hit.layer)[hit.curve];
   QString text = kind_of(*hit.layer, scene_->path, hit.curve);
-  text += u' ' + tr("%1 mm").arg(figure(curve.length(), decimals_));
-  if (curve.is_arc()) text += u' ' + tr("R%1").arg(figure(curve.radius, decimals_));
+  text += u' ' + tr("%1 mm").arg(figure_text(curve.length(), decimals_));
+  if (curve.is_arc()) text += u' ' + tr("R%1").arg(figure_text(curve.radius, decimals_));
   return text;
 }
 
@@ -201,8 +200,9 @@ QString Canvas::hint() const {
         .arg(describe(*hover_))
         .arg(hover_->layer->source(hover_->curve).line);
   }
-  return tr("Click: zoom in, right click: zoom out, drag: move, 0: all. "
-            "Space: a step, Shift+Space: back, Enter: run.");
+  return tr(
+      "Click: zoom in, right click: zoom out, drag: move, 0: all. "
+      "Space: a step, Shift+Space: back, Enter: run.");
 }
 
 }  // namespace dgt::studio

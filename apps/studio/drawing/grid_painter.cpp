@@ -48,8 +48,12 @@ class GridPainter {
       QColor colour = look_.colours.grid;
       if (!strong) colour.setAlphaF(0.5F);
       painter_.setPen(QPen(colour, look_.pixel));
-      across.visit([&](double x, bool fifth) { if (fifth == strong) upright(x); });
-      up.visit([&](double y, bool fifth) { if (fifth == strong) level(y); });
+      across.visit([&](double x, bool fifth) {
+        if (fifth == strong) upright(x);
+      });
+      up.visit([&](double y, bool fifth) {
+        if (fifth == strong) level(y);
+      });
     }
     painter_.setPen(QPen(look_.colours.axes, look_.pixel));
     if (window.left <= 0 && window.right >= 0) upright(0);

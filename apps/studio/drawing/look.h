@@ -11,7 +11,7 @@ namespace dgt::studio {
 
 /// What is shown besides the equidistant.
 struct Shown {
-  bool programmed = true;   ///< the contours with W = 0
+  bool programmed = true;  ///< the contours with W = 0
   bool rapids = true;
   bool tool = true;         ///< the disc of the kerf
   bool kerf = false;        ///< what the tool cuts away

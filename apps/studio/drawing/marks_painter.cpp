@@ -4,7 +4,7 @@
 #include <QFontMetricsF>
 #include <algorithm>
 
-#include "apps/studio/drawing/figure.h"
+#include "apps/studio/drawing/figure_text.h"
 
 namespace dgt::studio {
 namespace {
@@ -101,24 +101,25 @@ void paint_sizes(QPainter& painter, const View& view, const Look& look, const Bo
   pen.setDashPattern({2, 3});
   painter.setPen(pen);
   const double border = look.pixel * 4;
-  const auto in_window = [&](double at, double end) { return std::clamp(at, -border, end + border); };
-  const QRectF frame(QPointF(in_window(lower.x(), view.size.width()),
-                             in_window(upper.y(), view.size.height())),
-                     QPointF(in_window(upper.x(), view.size.width()),
-                             in_window(lower.y(), view.size.height())));
+  const auto in_window = [&](double at, double end) {
+    return std::clamp(at, -border, end + border);
+  };
+  const QRectF frame(
+      QPointF(in_window(lower.x(), view.size.width()), in_window(upper.y(), view.size.height())),
+      QPointF(in_window(upper.x(), view.size.width()), in_window(lower.y(), view.size.height())));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(frame);
   const double gap = 0.35 * metrics.height();
   const auto label = [&](QPointF middle, const QString& text) {
     const double width = metrics.horizontalAdvance(text);
-    const QPointF base(std::clamp(middle.x() - width / 2, 0.0,
-                                  std::max(0.0, view.size.width() - width)),
-                       std::clamp(middle.y(), metrics.height(),
-                                  std::max(metrics.height(), view.size.height() - gap)));
+    const QPointF base(
+        std::clamp(middle.x() - width / 2, 0.0, std::max(0.0, view.size.width() - width)),
+        std::clamp(middle.y(), metrics.height(),
+                   std::max(metrics.height(), view.size.height() - gap)));
     paint_label(painter, base, text, look.colours.axes, look.colours.sheet);
   };
-  label({frame.center().x(), frame.top() - gap}, figure(box.width(), look.decimals));
-  const QString height = figure(box.height(), look.decimals);
+  label({frame.center().x(), frame.top() - gap}, figure_text(box.width(), look.decimals));
+  const QString height = figure_text(box.height(), look.decimals);
   const double half = metrics.horizontalAdvance(height) / 2;
   label({frame.right() + half + gap, frame.center().y() + metrics.ascent() / 2}, height);
 }

@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "apps/studio/drawing/figure.h"
+#include "apps/studio/drawing/figure_text.h"
 #include "apps/studio/drawing/marks_painter.h"
 #include "apps/studio/drawing/strokes.h"
 
@@ -37,8 +37,8 @@ void paint_mark(QPainter& painter, QPointF at, SnapKind kind, double size) {
       painter.drawRect(QRectF(at.x() - size, at.y() - size, 2 * size, 2 * size));
       return;
     case SnapKind::Middle:
-      painter.drawPolygon(QPolygonF{at + QPointF(0, -size), at + QPointF(size, size),
-                                    at + QPointF(-size, size)});
+      painter.drawPolygon(
+          QPolygonF{at + QPointF(0, -size), at + QPointF(size, size), at + QPointF(-size, size)});
       return;
     case SnapKind::Centre:
       painter.drawEllipse(at, size, size);
@@ -95,13 +95,14 @@ std::optional<Measurement> Measuring::measurement() const {
 QString Measuring::text(int decimals) const {
   QStringList parts;
   if (const auto m = measurement()) {
-    parts << tr("Distance %1 mm").arg(figure(m->distance, decimals))
-          << tr("dX %1").arg(figure(m->dx, decimals)) << tr("dY %1").arg(figure(m->dy, decimals))
-          << tr("angle %1°").arg(figure(m->degrees, 3));
+    parts << tr("Distance %1 mm").arg(figure_text(m->distance, decimals))
+          << tr("dX %1").arg(figure_text(m->dx, decimals))
+          << tr("dY %1").arg(figure_text(m->dy, decimals))
+          << tr("angle %1°").arg(figure_text(m->degrees, 3));
   }
   if (pointed_) {
     if (pointed_->curve && pointed_->curve->is_arc())
-      parts << tr("radius %1").arg(figure(pointed_->curve->radius, decimals));
+      parts << tr("radius %1").arg(figure_text(pointed_->curve->radius, decimals));
     parts << name_of(pointed_->kind);
   }
   return parts.join(QStringLiteral("   "));
@@ -120,8 +121,8 @@ void Measuring::paint(QPainter& painter, const View& view, const Look& look) con
   const auto m = measurement();
   if (!m) return;
   const QPointF middle = (view.pixel(first_->at) + view.pixel(to->at)) / 2;
-  paint_label(painter, middle + QPointF(2 * size, -2 * size), figure(m->distance, look.decimals),
-              look.colours.measure, look.colours.sheet);
+  paint_label(painter, middle + QPointF(2 * size, -2 * size),
+              figure_text(m->distance, look.decimals), look.colours.measure, look.colours.sheet);
 }
 
 }  // namespace dgt::studio

@@ -78,8 +78,8 @@ class NamesPainter {
     const QPointF at = view_.pixel({axes.x, axes.y});
     const double length = 2.5 * metrics_.height();
     painter_.setPen(QPen(look_.colours.element, 1.5 * look_.pixel));
-    for (const QPointF axis : {QPointF(axes.along_x, -axes.along_y),
-                               QPointF(-axes.along_y, -axes.along_x)}) {
+    for (const QPointF axis :
+         {QPointF(axes.along_x, -axes.along_y), QPointF(-axes.along_y, -axes.along_x)}) {
       painter_.drawLine(at, at + length * axis);
       head(at + length * axis, axis);
     }
@@ -124,9 +124,8 @@ class NamesPainter {
     for (const Perch& perch : perches) {
       for (const double side : {1.0, -1.0}) {
         const QPointF across = side * QPointF(-perch.along.y(), perch.along.x());
-        const double gap =
-            0.4 * size.height() + 0.5 * (std::fabs(across.x()) * size.width() +
-                                         std::fabs(across.y()) * size.height());
+        const double gap = 0.4 * size.height() + 0.5 * (std::fabs(across.x()) * size.width() +
+                                                        std::fabs(across.y()) * size.height());
         const QPointF middle = perch.on + gap * across;
         const QRectF letters(middle - QPointF(size.width() / 2, size.height() / 2), size);
         if (!space_.is_free(letters)) continue;

@@ -38,18 +38,14 @@ Picture paint_picture(ScenePtr scene, const View& view, const Look& look) {
   return picture;
 }
 
-PictureStore::PictureStore(QObject* parent)
-    : QObject(parent), task_(this, [this](Picture picture) {
-        picture_ = std::move(picture);
-        emit changed();
-      }) {}
+PictureStore::PictureStore(QObject* parent) : QObject(parent) {}
 
 void PictureStore::paint(QPainter& painter, const ScenePtr& scene, const View& view,
                          const Look& look) {
   settled_ = is_of(scene, look) && fits(view);
   if (!settled_ && (!scene || scene->curves() <= kAtOnce)) {
     picture_ = paint_picture(scene, view, look);
-    asked_ = {};
+    work_.forget();
     settled_ = true;
   } else if (!settled_) {
     ask(scene, view, look);
@@ -81,21 +77,19 @@ bool PictureStore::fits(const View& view) const {
          at.y() + picture_.view.size.height() >= view.size.height();
 }
 
+// A picture in work is finished before the next is begun: while a person goes on zooming, something
+// still arrives now and then. One of another scene is not worth waiting for.
 void PictureStore::ask(const ScenePtr& scene, const View& view, const Look& look) {
-  const bool is_asked = asked_.scene == scene && asked_.view == view && asked_.look == look;
-  if (is_asked && task_.is_busy()) return;
-  asked_ = {{}, view, look, scene};
+  if (work_.is_busy() && asked_ == scene) return;
+  asked_ = scene;
   const QSizeF border(std::ceil(kBorder * view.size.width()),
                       std::ceil(kBorder * view.size.height()));
-  const View wide = view.widened(border);
-  const auto work = [scene, wide, look](const auto&) -> std::optional<Picture> {
-    return paint_picture(scene, wide, look);
-  };
-  if (picture_.scene == scene) {
-    task_.ask_next(work);
-  } else {
-    task_.ask(work);
-  }
+  work_.ask([this, scene, wide = view.widened(border), look]() -> Background::Outcome {
+    return [this, picture = paint_picture(scene, wide, look)] {
+      picture_ = picture;
+      emit changed();
+    };
+  });
 }
 
 }  // namespace dgt::studio

@@ -3,10 +3,9 @@
 
 #include <QImage>
 #include <QObject>
-#include <functional>
 #include <optional>
 
-#include "apps/studio/drawing/latest_task.h"
+#include "apps/studio/background.h"
 #include "apps/studio/drawing/look.h"
 #include "apps/studio/drawing/scene.h"
 #include "apps/studio/drawing/view.h"
@@ -48,9 +47,9 @@ class PictureStore : public QObject {
   void ask(const ScenePtr& scene, const View& view, const Look& look);
 
   Picture picture_;
-  Picture asked_;  ///< without an image
+  ScenePtr asked_;  ///< of which a picture is being painted
   bool settled_ = true;
-  LatestTask<Picture> task_;
+  Background work_;
 };
 
 }  // namespace dgt::studio

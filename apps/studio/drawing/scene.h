@@ -18,9 +18,7 @@ struct Scene {
   DrawnPath path;
   std::vector<NamedShape> names;
 
-  [[nodiscard]] std::size_t curves() const {
-    return path.steps() + path.programmed().size();
-  }
+  [[nodiscard]] std::size_t curves() const { return path.steps() + path.programmed().size(); }
 };
 using ScenePtr = std::shared_ptr<const Scene>;
 

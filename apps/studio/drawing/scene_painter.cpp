@@ -18,8 +18,8 @@ constexpr double kRapidWidth = 1;
 constexpr double kLitWidth = 3.5;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// The painter draws pens of one pixel ten to a hundred times faster than wider ones. Where there is
-/// more than this to be seen, width would be lost in the crowd.
+/// The painter draws pens of one pixel ten to a hundred times faster than wider ones. Where there
+/// is more than this to be seen, width would be lost in the crowd.
 constexpr std::size_t kCrowd = 3000;
 
 class ScenePainter {
@@ -122,8 +122,7 @@ void paint_step(QPainter& painter, const View& view, const Look& look, const Dra
            (rapid ? kRapidWidth : kCutWidth) * look.pixel);
   pen.setCapStyle(rapid ? Qt::FlatCap : Qt::RoundCap);
   painter.setPen(pen);
-  stroke_curve(painter, view, beginning_of(path.curve(step), part),
-               rapid ? kDash * look.pixel : 0);
+  stroke_curve(painter, view, beginning_of(path.curve(step), part), rapid ? kDash * look.pixel : 0);
 }
 
 int decimals_of(const Settings& settings) {

@@ -29,7 +29,8 @@ bool narrow(double from, double way, double low, double high, double& begin, dou
 class CurveStrokes {
  public:
   CurveStrokes(QPainter& painter, const View& view, double dash)
-      : view_(view), window_(view.window(margin(painter))),
+      : view_(view),
+        window_(view.window(margin(painter))),
         strokes_(painter, view.size, margin(painter)) {
     strokes_.set_dash(dash);
   }
@@ -88,8 +89,8 @@ void Strokes::line_to(QPointF at) {
 void Strokes::end() {
   if (!drawing_) return;
   if (last_ != pen_) stroke(pen_, last_);
-  const bool is_dot = way_ == 0 && last_.x() >= left_ && last_.x() <= right_ &&
-                      last_.y() >= top_ && last_.y() <= bottom_;
+  const bool is_dot = way_ == 0 && last_.x() >= left_ && last_.x() <= right_ && last_.y() >= top_ &&
+                      last_.y() <= bottom_;
   if (is_dot) painter_.drawPoint(last_);
   flush();
   drawing_ = false;

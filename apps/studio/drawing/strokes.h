@@ -43,9 +43,9 @@ class Strokes {
   QPainter& painter_;
   double left_, top_, right_, bottom_;
   QPolygonF chain_;
-  QPointF pen_;        ///< where the last stroke ended
-  QPointF last_;       ///< the last corner, drawn or left out
-  double way_ = 0;     ///< pixels, from `begin` to the pen
+  QPointF pen_;     ///< where the last stroke ended
+  QPointF last_;    ///< the last corner, drawn or left out
+  double way_ = 0;  ///< pixels, from `begin` to the pen
   double dash_ = 0;
   bool drawing_ = false;
 };

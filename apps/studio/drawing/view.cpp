@@ -12,8 +12,8 @@ constexpr double kLeastSide = 1e-3;  // mm: a drawing of one point is shown abou
 
 double reach(const Box& box) {
   if (box.empty()) return 1;
-  const double far = std::max({std::fabs(box.left), std::fabs(box.right), std::fabs(box.bottom),
-                               std::fabs(box.top)});
+  const double far = std::max(
+      {std::fabs(box.left), std::fabs(box.right), std::fabs(box.bottom), std::fabs(box.top)});
   return std::max(far, kLeastSide);
 }
 
@@ -49,8 +49,9 @@ View View::fitting(const Box& box, QSizeF size, double margin) {
   const double width = std::max(box.width(), kLeastSide);
   const double height = std::max(box.height(), kLeastSide);
   view.centre = {box.left + box.width() / 2, box.bottom + box.height() / 2};
-  view.scale = std::max(std::min((size.width() - border) / width, (size.height() - border) / height),
-                        coarsest_scale(box));
+  view.scale =
+      std::max(std::min((size.width() - border) / width, (size.height() - border) / height),
+               coarsest_scale(box));
   return view;
 }
 

@@ -7,7 +7,7 @@
 namespace dgt::studio {
 
 /// A figure with so many digits behind the point, never a negative zero.
-[[nodiscard]] inline QString figure(double value, int decimals) {
+[[nodiscard]] inline QString figure_text(double value, int decimals) {
   const bool is_nothing = std::fabs(value) * std::pow(10.0, decimals) < 0.5;
   return QString::number(is_nothing ? 0.0 : value, 'f', decimals);
 }
