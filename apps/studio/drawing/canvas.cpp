@@ -101,8 +101,8 @@ void Canvas::set_measuring(bool measuring) {
 
 void Canvas::fit() { set_view(fitted_view(), true); }
 
-View Canvas::fitted_view() const {
-  return View::fitting(scene_ ? scene_->path.box() : Box{}, QSizeF(size()), kMargin);
+SheetView Canvas::fitted_view() const {
+  return SheetView::fitting(scene_ ? scene_->path.box() : Box{}, QSizeF(size()), kMargin);
 }
 
 void Canvas::zoom(double factor) {
@@ -124,12 +124,12 @@ void Canvas::bring_into_view(const Box& box) {
   const bool is_seen = box.left >= window.left && box.right <= window.right &&
                        box.bottom >= window.bottom && box.top <= window.top;
   if (is_seen) return;
-  View view = View::fitting(box, view_.size, kMargin);
+  SheetView view = SheetView::fitting(box, view_.size, kMargin);
   view.scale = std::min(view.scale, view_.scale);
   set_view(view, false);
 }
 
-void Canvas::set_view(const View& view, bool fitted) {
+void Canvas::set_view(const SheetView& view, bool fitted) {
   fitted_ = fitted;
   if (view == view_) return;
   view_ = view;

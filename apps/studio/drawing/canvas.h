@@ -31,7 +31,7 @@ class Canvas : public QWidget {
 
   [[nodiscard]] const Shown& shown() const { return shown_; }
   [[nodiscard]] bool is_measuring() const { return measuring_; }
-  [[nodiscard]] const View& view() const { return view_; }  ///< in pixels of the widget
+  [[nodiscard]] const SheetView& view() const { return view_; }  ///< in pixels of the widget
   [[nodiscard]] bool is_settled() const { return settled_; }
   /// What is under the pointer, and what a click does there.
   [[nodiscard]] QString hint() const;
@@ -70,11 +70,11 @@ class Canvas : public QWidget {
     friend bool operator==(const Hit&, const Hit&) = default;
   };
 
-  void set_view(const View& view, bool fitted);
+  void set_view(const SheetView& view, bool fitted);
   void zoom_about(double factor, QPointF about);
   void pan(QPointF by);
   void bring_into_view(const Box& box);
-  [[nodiscard]] View fitted_view() const;
+  [[nodiscard]] SheetView fitted_view() const;
 
   void point_at(QPointF pixel);
   void click(QPointF pixel, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
@@ -94,7 +94,7 @@ class Canvas : public QWidget {
   ToolRun& tool_;
   ScenePtr scene_;
   PictureStore pictures_;
-  View view_;
+  SheetView view_;
   bool fitted_ = true;
   Shown shown_;
   LitLine lit_;

@@ -29,7 +29,7 @@ QString kind_of(const DrawnLayer& layer, const DrawnPath& path, std::size_t curv
 }  // namespace
 
 void Canvas::resizeEvent(QResizeEvent* /*event*/) {
-  View view = view_;
+  SheetView view = view_;
   view.size = QSizeF(size());
   fitted_ ? set_view(fitted_view(), true) : set_view(view, false);
 }

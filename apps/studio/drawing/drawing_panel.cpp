@@ -205,8 +205,8 @@ void DrawingPanel::paint(QPainter& painter, const QRect& where) {
   painter.save();
   painter.translate(where.topLeft());
   painter.setClipRect(QRect({0, 0}, where.size()));
-  paint_scene(painter, *scene_, View::fitting(scene_->path.box(), QSizeF(where.size()), kMargin),
-              look);
+  paint_scene(painter, *scene_,
+              SheetView::fitting(scene_->path.box(), QSizeF(where.size()), kMargin), look);
   painter.restore();
 }
 

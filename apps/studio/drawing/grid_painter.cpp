@@ -33,7 +33,7 @@ QString short_figure(double value, double step) {
 
 class GridPainter {
  public:
-  GridPainter(QPainter& painter, const View& view, const Look& look)
+  GridPainter(QPainter& painter, const SheetView& view, const Look& look)
       : painter_(painter), view_(view), look_(look) {}
 
   void paint() {
@@ -95,7 +95,7 @@ class GridPainter {
   }
 
   QPainter& painter_;
-  const View& view_;
+  const SheetView& view_;
   const Look& look_;
 };
 
@@ -109,7 +109,7 @@ double grid_step(double least) {
   return 10 * step;
 }
 
-void paint_grid(QPainter& painter, const View& view, const Look& look) {
+void paint_grid(QPainter& painter, const SheetView& view, const Look& look) {
   GridPainter(painter, view, look).paint();
 }
 

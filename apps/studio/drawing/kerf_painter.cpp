@@ -14,7 +14,7 @@ namespace {
 constexpr double kMargin = 4;  // pixels around the window
 
 /// The border of the window in pixels, y down.
-Box border(const View& view) {
+Box border(const SheetView& view) {
   return {-kMargin, -kMargin, view.size.width() + kMargin, view.size.height() + kMargin};
 }
 
@@ -40,7 +40,7 @@ DrawnCurve circle(DrawnPlace centre, double radius) {
 
 class KerfPainter {
  public:
-  KerfPainter(QPainter& painter, const View& view)
+  KerfPainter(QPainter& painter, const SheetView& view)
       : painter_(painter), view_(view), window_(view.window(kMargin)) {}
 
   void fill(const DrawnCurve& curve, double radius) {
@@ -84,7 +84,7 @@ class KerfPainter {
   }
 
   QPainter& painter_;
-  const View& view_;
+  const SheetView& view_;
   Box window_;
 };
 
@@ -97,7 +97,7 @@ QPolygonF clipped(const QPolygonF& polygon, const Box& window) {
   return cut(rest, [&](QPointF p) { return window.top - p.y(); });
 }
 
-QPolygonF disc(const View& view, DrawnPlace centre, double radius) {
+QPolygonF disc(const SheetView& view, DrawnPlace centre, double radius) {
   std::vector<DrawnPlace> corners;
   flatten(circle(centre, radius), view.window(kMargin), kFlatness / view.scale, corners);
   QPolygonF polygon;
@@ -105,7 +105,8 @@ QPolygonF disc(const View& view, DrawnPlace centre, double radius) {
   return clipped(polygon, border(view));
 }
 
-void fill_kerf(QPainter& painter, const View& view, const DrawnPath& path, std::uint32_t run_to) {
+void fill_kerf(QPainter& painter, const SheetView& view, const DrawnPath& path,
+               std::uint32_t run_to) {
   double widest = 0;  // pixels
   const DrawnLayer& cuts = path.cuts();
   if (cuts.size() > 0) widest = path.widest_kerf() * view.scale;

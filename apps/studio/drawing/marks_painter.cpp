@@ -33,7 +33,7 @@ void paint_label(QPainter& painter, QPointF base, const QString& text, const QCo
   painter.drawText(base, text);
 }
 
-void paint_directions(QPainter& painter, const View& view, const Look& look,
+void paint_directions(QPainter& painter, const SheetView& view, const Look& look,
                       const DrawnPath& path) {
   const double size = 9 * look.pixel;
   const double least = 3 * size;  // a shorter cut has no room
@@ -50,7 +50,7 @@ void paint_directions(QPainter& painter, const View& view, const Look& look,
   cuts.visit(view.window(size), least / 4 / view.scale, curve, [](std::size_t, std::size_t) {});
 }
 
-void paint_points(QPainter& painter, const View& view, const Look& look, const DrawnPath& path,
+void paint_points(QPainter& painter, const SheetView& view, const Look& look, const DrawnPath& path,
                   LabelSpace& space) {
   const QFontMetricsF metrics(painter.font(), painter.device());
   const double radius = 2.5 * look.pixel;
@@ -92,7 +92,7 @@ void paint_points(QPainter& painter, const View& view, const Look& look, const D
   }
 }
 
-void paint_sizes(QPainter& painter, const View& view, const Look& look, const Box& box) {
+void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, const Box& box) {
   if (box.empty()) return;
   const QFontMetricsF metrics(painter.font(), painter.device());
   const QPointF lower = view.pixel({box.left, box.bottom});
@@ -125,7 +125,7 @@ void paint_sizes(QPainter& painter, const View& view, const Look& look, const Bo
 }
 
 // A cross in a circle: the place where the wire is threaded or the torch begins.
-void paint_start(QPainter& painter, const View& view, const Look& look, DrawnPlace start) {
+void paint_start(QPainter& painter, const SheetView& view, const Look& look, DrawnPlace start) {
   const QPointF at = view.pixel(start);
   const double radius = 5 * look.pixel;
   painter.setPen(QPen(look.colours.text, 1.5 * look.pixel));

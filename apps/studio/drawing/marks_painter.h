@@ -11,17 +11,18 @@
 namespace dgt::studio {
 
 /// Arrow heads half-way along cuts that have room for one.
-void paint_directions(QPainter& painter, const View& view, const Look& look, const DrawnPath& path);
+void paint_directions(QPainter& painter, const SheetView& view, const Look& look,
+                      const DrawnPath& path);
 /// Dots on the control points, with their numbers where there is room.
-void paint_points(QPainter& painter, const View& view, const Look& look, const DrawnPath& path,
+void paint_points(QPainter& painter, const SheetView& view, const Look& look, const DrawnPath& path,
                   LabelSpace& space);
 /// The elements thin, with their names.
-void paint_names(QPainter& painter, const View& view, const Look& look,
+void paint_names(QPainter& painter, const SheetView& view, const Look& look,
                  const std::vector<NamedShape>& names, LabelSpace& space);
 /// The box around the part, with its width and height in mm.
-void paint_sizes(QPainter& painter, const View& view, const Look& look, const Box& box);
+void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, const Box& box);
 /// Where the tool stands before the first move.
-void paint_start(QPainter& painter, const View& view, const Look& look, DrawnPlace start);
+void paint_start(QPainter& painter, const SheetView& view, const Look& look, DrawnPlace start);
 
 /// Letters with a rim in the colour of the sheet, so that strokes beneath do not disturb.
 void paint_label(QPainter& painter, QPointF base, const QString& text, const QColor& colour,

@@ -108,7 +108,7 @@ QString Measuring::text(int decimals) const {
   return parts.join(QStringLiteral("   "));
 }
 
-void Measuring::paint(QPainter& painter, const View& view, const Look& look) const {
+void Measuring::paint(QPainter& painter, const SheetView& view, const Look& look) const {
   const double size = 5 * look.pixel;
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);

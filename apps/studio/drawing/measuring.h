@@ -29,7 +29,7 @@ class Measuring {
   [[nodiscard]] std::optional<Measurement> measurement() const;
   /// What is measured, and what it is that the pointer was caught by, for a person.
   [[nodiscard]] QString text(int decimals) const;
-  void paint(QPainter& painter, const View& view, const Look& look) const;
+  void paint(QPainter& painter, const SheetView& view, const Look& look) const;
 
  private:
   [[nodiscard]] std::optional<Snap> end() const { return second_ ? second_ : pointed_; }

@@ -19,7 +19,7 @@ struct Perch {
 
 class NamesPainter {
  public:
-  NamesPainter(QPainter& painter, const View& view, const Look& look, LabelSpace& space)
+  NamesPainter(QPainter& painter, const SheetView& view, const Look& look, LabelSpace& space)
       : painter_(painter),
         view_(view),
         look_(look),
@@ -140,7 +140,7 @@ class NamesPainter {
   }
 
   QPainter& painter_;
-  const View& view_;
+  const SheetView& view_;
   const Look& look_;
   LabelSpace& space_;
   QFontMetricsF metrics_;
@@ -148,7 +148,7 @@ class NamesPainter {
 
 }  // namespace
 
-void paint_names(QPainter& painter, const View& view, const Look& look,
+void paint_names(QPainter& painter, const SheetView& view, const Look& look,
                  const std::vector<NamedShape>& names, LabelSpace& space) {
   NamesPainter work(painter, view, look, space);
   for (const NamedShape& named : names) work.paint(named);

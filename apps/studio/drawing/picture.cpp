@@ -15,7 +15,7 @@ constexpr std::size_t kAtOnce = 3000;  // curves
 constexpr double kBorder = 0.25;       // of the window, on each side
 
 /// Where the upper left corner of the picture stands in the window.
-QPointF corner(const View& picture, const View& view) {
+QPointF corner(const SheetView& picture, const SheetView& view) {
   const double scale = view.scale / picture.scale;
   const QPointF middle = view.pixel(picture.centre);
   return middle - scale * QPointF(picture.size.width() / 2, picture.size.height() / 2);
@@ -27,8 +27,9 @@ QPointF whole(QPointF p) { return {std::round(p.x()), std::round(p.y())}; }
 
 }  // namespace
 
-Picture paint_picture(ScenePtr scene, const View& view, const Look& look) {
-  Picture picture{QImage(view.size.toSize(), QImage::Format_ARGB32_Premultiplied), view, look, {}};
+ScenePicture paint_picture(ScenePtr scene, const SheetView& view, const Look& look) {
+  ScenePicture picture{
+      QImage(view.size.toSize(), QImage::Format_ARGB32_Premultiplied), view, look, {}};
   picture.image.fill(Qt::transparent);
   if (scene) {
     QPainter painter(&picture.image);
@@ -40,7 +41,7 @@ Picture paint_picture(ScenePtr scene, const View& view, const Look& look) {
 
 PictureStore::PictureStore(QObject* parent) : QObject(parent) {}
 
-void PictureStore::paint(QPainter& painter, const ScenePtr& scene, const View& view,
+void PictureStore::paint(QPainter& painter, const ScenePtr& scene, const SheetView& view,
                          const Look& look) {
   settled_ = is_of(scene, look) && fits(view);
   if (!settled_ && (!scene || scene->curves() <= kAtOnce)) {
@@ -70,7 +71,7 @@ bool PictureStore::is_of(const ScenePtr& scene, const Look& look) const {
   return !picture_.image.isNull() && picture_.scene == scene && picture_.look == look;
 }
 
-bool PictureStore::fits(const View& view) const {
+bool PictureStore::fits(const SheetView& view) const {
   if (picture_.view.scale != view.scale) return false;
   const QPointF at = whole(corner(picture_.view, view));
   return at.x() <= 0 && at.y() <= 0 && at.x() + picture_.view.size.width() >= view.size.width() &&
@@ -79,7 +80,7 @@ bool PictureStore::fits(const View& view) const {
 
 // A picture in work is finished before the next is begun: while a person goes on zooming, something
 // still arrives now and then. One of another scene is not worth waiting for.
-void PictureStore::ask(const ScenePtr& scene, const View& view, const Look& look) {
+void PictureStore::ask(const ScenePtr& scene, const SheetView& view, const Look& look) {
   if (work_.is_busy() && asked_ == scene) return;
   asked_ = scene;
   const QSizeF border(std::ceil(kBorder * view.size.width()),

@@ -13,13 +13,13 @@
 namespace dgt::studio {
 
 /// A scene painted on a transparent ground.
-struct Picture {
+struct ScenePicture {
   QImage image;
-  View view;  ///< its pixels are those of the image
+  SheetView view;  ///< its pixels are those of the image
   Look look;
   ScenePtr scene;
 };
-[[nodiscard]] Picture paint_picture(ScenePtr scene, const View& view, const Look& look);
+[[nodiscard]] ScenePicture paint_picture(ScenePtr scene, const SheetView& view, const Look& look);
 
 /// Keeps the picture that a window needs: small scenes are painted at once, large ones in the
 /// background and a border wider than the window, so that they can be moved at once. Until it is
@@ -32,7 +32,7 @@ class PictureStore : public QObject {
 
   /// Paints what there is of the scene as seen in `view`, and sees to it that `changed` follows
   /// when there is something better.
-  void paint(QPainter& painter, const ScenePtr& scene, const View& view, const Look& look);
+  void paint(QPainter& painter, const ScenePtr& scene, const SheetView& view, const Look& look);
   /// Whether the last picture painted was the one wanted.
   [[nodiscard]] bool is_settled() const { return settled_; }
   /// The first move that the last picture shows as still to come.
@@ -42,11 +42,11 @@ class PictureStore : public QObject {
   void changed();
 
  private:
-  [[nodiscard]] bool fits(const View& view) const;
+  [[nodiscard]] bool fits(const SheetView& view) const;
   [[nodiscard]] bool is_of(const ScenePtr& scene, const Look& look) const;
-  void ask(const ScenePtr& scene, const View& view, const Look& look);
+  void ask(const ScenePtr& scene, const SheetView& view, const Look& look);
 
-  Picture picture_;
+  ScenePicture picture_;
   ScenePtr asked_;  ///< of which a picture is being painted
   bool settled_ = true;
   Background work_;

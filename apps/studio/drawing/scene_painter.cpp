@@ -24,7 +24,7 @@ constexpr std::size_t kCrowd = 3000;
 
 class ScenePainter {
  public:
-  ScenePainter(QPainter& painter, const View& view, const Look& look)
+  ScenePainter(QPainter& painter, const SheetView& view, const Look& look)
       : painter_(painter), view_(view), look_(look) {}
 
   void curves(const DrawnLayer& layer, CurveRange range, QColor colour, double width, bool dim,
@@ -86,13 +86,13 @@ class ScenePainter {
 
  private:
   QPainter& painter_;
-  const View& view_;
+  const SheetView& view_;
   const Look& look_;
 };
 
 }  // namespace
 
-void paint_scene(QPainter& painter, const Scene& scene, const View& view, const Look& look) {
+void paint_scene(QPainter& painter, const Scene& scene, const SheetView& view, const Look& look) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(look.font);
   const DrawnPath& path = scene.path;
@@ -113,7 +113,7 @@ void paint_scene(QPainter& painter, const Scene& scene, const View& view, const 
   paint_start(painter, view, look, path.start());
 }
 
-void paint_step(QPainter& painter, const View& view, const Look& look, const DrawnPath& path,
+void paint_step(QPainter& painter, const SheetView& view, const Look& look, const DrawnPath& path,
                 std::size_t step, bool done, double part) {
   const bool rapid = path.is_rapid(step);
   if (rapid && !look.shown.rapids) return;

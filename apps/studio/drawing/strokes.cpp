@@ -28,7 +28,7 @@ bool narrow(double from, double way, double low, double high, double& begin, dou
 /// Strokes of curves, flattened where the window shows them.
 class CurveStrokes {
  public:
-  CurveStrokes(QPainter& painter, const View& view, double dash)
+  CurveStrokes(QPainter& painter, const SheetView& view, double dash)
       : view_(view),
         window_(view.window(margin(painter))),
         strokes_(painter, view.size, margin(painter)) {
@@ -47,7 +47,7 @@ class CurveStrokes {
  private:
   static double margin(const QPainter& painter) { return 2 + 2 * painter.pen().widthF(); }
 
-  const View& view_;
+  const SheetView& view_;
   Box window_;
   Strokes strokes_;
   std::vector<DrawnPlace> corners_;
@@ -133,7 +133,7 @@ void Strokes::flush() {
   chain_.clear();
 }
 
-std::size_t count_strokes(const DrawnLayer& layer, const View& view, CurveRange range,
+std::size_t count_strokes(const DrawnLayer& layer, const SheetView& view, CurveRange range,
                           std::size_t enough) {
   std::size_t count = 0;
   const auto is_in = [&](std::size_t i) { return i >= range.first && i < range.last; };
@@ -143,8 +143,8 @@ std::size_t count_strokes(const DrawnLayer& layer, const View& view, CurveRange 
   return std::min(count, enough);
 }
 
-void stroke_curves(QPainter& painter, const View& view, const DrawnLayer& layer, CurveRange range,
-                   double dash) {
+void stroke_curves(QPainter& painter, const SheetView& view, const DrawnLayer& layer,
+                   CurveRange range, double dash) {
   CurveStrokes strokes(painter, view, dash);
   std::size_t next = 0;  // the curve that would go on from the last
   const auto go_to = [&](std::size_t i) {
@@ -168,7 +168,7 @@ void stroke_curves(QPainter& painter, const View& view, const DrawnLayer& layer,
   layer.visit(strokes.window(), kFlatness / view.scale, curve, speck);
 }
 
-void stroke_curve(QPainter& painter, const View& view, const DrawnCurve& curve, double dash) {
+void stroke_curve(QPainter& painter, const SheetView& view, const DrawnCurve& curve, double dash) {
   CurveStrokes strokes(painter, view, dash);
   strokes.begin(curve.from);
   strokes.add(curve);

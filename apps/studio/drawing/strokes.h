@@ -59,12 +59,13 @@ struct CurveRange {
   std::size_t last = 0;
 };
 /// How many strokes a range comes to at least; counting ends at `enough`.
-[[nodiscard]] std::size_t count_strokes(const DrawnLayer& layer, const View& view, CurveRange range,
-                                        std::size_t enough);
+[[nodiscard]] std::size_t count_strokes(const DrawnLayer& layer, const SheetView& view,
+                                        CurveRange range, std::size_t enough);
 /// Draws the curves with the painter's pen; `dash`: see Strokes.
-void stroke_curves(QPainter& painter, const View& view, const DrawnLayer& layer, CurveRange range,
-                   double dash = 0);
+void stroke_curves(QPainter& painter, const SheetView& view, const DrawnLayer& layer,
+                   CurveRange range, double dash = 0);
 /// The same for one curve.
-void stroke_curve(QPainter& painter, const View& view, const DrawnCurve& curve, double dash = 0);
+void stroke_curve(QPainter& painter, const SheetView& view, const DrawnCurve& curve,
+                  double dash = 0);
 
 }  // namespace dgt::studio

@@ -19,30 +19,30 @@ double reach(const Box& box) {
 
 }  // namespace
 
-Box View::window(double pixels) const {
+Box SheetView::window(double pixels) const {
   const double half_width = (size.width() / 2 + pixels) / scale;
   const double half_height = (size.height() / 2 + pixels) / scale;
   return {centre.x - half_width, centre.y - half_height, centre.x + half_width,
           centre.y + half_height};
 }
 
-View View::zoomed(double factor, QPointF about) const {
+SheetView SheetView::zoomed(double factor, QPointF about) const {
   const DrawnPlace fixed = place(about);
-  View view = *this;
+  SheetView view = *this;
   view.scale *= factor;
   view.centre = {fixed.x - (about.x() - size.width() / 2) / view.scale,
                  fixed.y + (about.y() - size.height() / 2) / view.scale};
   return view;
 }
 
-View View::moved(QPointF by) const {
-  View view = *this;
+SheetView SheetView::moved(QPointF by) const {
+  SheetView view = *this;
   view.centre = {centre.x - by.x() / scale, centre.y + by.y() / scale};
   return view;
 }
 
-View View::fitting(const Box& box, QSizeF size, double margin) {
-  View view;
+SheetView SheetView::fitting(const Box& box, QSizeF size, double margin) {
+  SheetView view;
   view.size = size;
   if (box.empty()) return view;
   const double border = 2 * margin * std::min(size.width(), size.height());

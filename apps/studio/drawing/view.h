@@ -11,7 +11,7 @@ namespace dgt::studio {
 /// Which part of the plane is shown, and how large. Pixels count from the upper left corner, y
 /// down. Everything is reckoned about the centre in doubles: places far from the origin do not
 /// tremble.
-struct View {
+struct SheetView {
   DrawnPlace centre;  ///< mm, in the middle of the window
   double scale = 1;   ///< pixels a millimetre
   QSizeF size{1, 1};  ///< pixels
@@ -28,18 +28,22 @@ struct View {
   [[nodiscard]] Box window(double pixels = 0) const;
 
   /// Magnified by `factor`; the place under `about` stays there.
-  [[nodiscard]] View zoomed(double factor, QPointF about) const;
+  [[nodiscard]] SheetView zoomed(double factor, QPointF about) const;
   /// What is shown moves by so many pixels.
-  [[nodiscard]] View moved(QPointF by) const;
+  [[nodiscard]] SheetView moved(QPointF by) const;
   /// The same on a finer grid of pixels.
-  [[nodiscard]] View on_pixels(double ratio) const { return {centre, scale * ratio, size * ratio}; }
+  [[nodiscard]] SheetView on_pixels(double ratio) const {
+    return {centre, scale * ratio, size * ratio};
+  }
   /// With a border of so many pixels more on each side.
-  [[nodiscard]] View widened(QSizeF border) const { return {centre, scale, size + 2 * border}; }
+  [[nodiscard]] SheetView widened(QSizeF border) const {
+    return {centre, scale, size + 2 * border};
+  }
 
   /// `box` as large as it fits, with a margin of `margin` times the window's shorter side.
-  [[nodiscard]] static View fitting(const Box& box, QSizeF size, double margin);
+  [[nodiscard]] static SheetView fitting(const Box& box, QSizeF size, double margin);
 
-  friend bool operator==(const View&, const View&) = default;
+  friend bool operator==(const SheetView&, const SheetView&) = default;
 };
 
 /// How near one may look at a drawing, in pixels a millimetre: coordinates are doubles, and a pixel
