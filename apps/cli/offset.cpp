@@ -9,6 +9,7 @@
 #include "apps/cli/verbs.h"
 #include "apps/driver/offset_input.h"
 #include "apps/driver/offset_loops.h"
+#include "kernel/loop_fault.h"
 #include "lang/poly/reader.h"
 
 namespace dgt::cli {
@@ -80,12 +81,35 @@ Step<std::vector<Chain>> loops_of_input(const Request& request, const Console& c
              : loops_of_program(request, console);
 }
 
-/// Closed loops bound one region; open ones have an equidistant each.
-std::vector<OffsetLoop> offset_by(const OffsetJob& job, const std::vector<Chain>& loops,
-                                  const Rational& distance) {
+std::vector<Chain> closed_of(const std::vector<Chain>& loops) {
   std::vector<Chain> closed;
   for (const Chain& loop : loops)
     if (loop.closed) closed.push_back(loop);
+  return closed;
+}
+
+/// Loops are numbered as they are given, from 1.
+void report(const LoopFault& fault, const std::vector<Chain>& loops, const Console& console) {
+  const auto number = [&](std::size_t closed) {
+    std::size_t at = 0;
+    for (; !loops[at].closed || closed > 0; ++at)
+      if (loops[at].closed) --closed;
+    return std::to_string(at + 1);
+  };
+  const std::string x = to_short_decimal(Rational(fault.x), 6);
+  const std::string y = to_short_decimal(Rational(fault.y), 6);
+  if (fault.kind == LoopFault::Kind::Nesting)
+    console.error(Text::LoopsNested, {number(fault.loop), x, y});
+  else if (fault.loop == fault.other)
+    console.error(Text::LoopCrossesItself, {number(fault.loop), x, y});
+  else
+    console.error(Text::LoopsCross, {number(fault.loop), number(fault.other), x, y});
+}
+
+/// Closed loops bound one region; open ones have an equidistant each.
+std::vector<OffsetLoop> offset_by(const OffsetJob& job, const std::vector<Chain>& loops,
+                                  const Rational& distance) {
+  const std::vector<Chain> closed = closed_of(loops);
   std::vector<OffsetLoop> result = job.engine == Engine::Production
                                        ? production_offset(closed, distance, job.options)
                                        : reference_offset(closed, distance, job.options);
@@ -130,6 +154,10 @@ ExitCode run(const OffsetJob& job, const Console& console) {
   if (sgn(*distance) == 0 && has_open(*contours)) {
     console.error(Text::OpenLoopAtZero, {});
     return ExitCode::WrongUsage;
+  }
+  if (const auto fault = find_loop_fault(closed_of(*contours))) {
+    report(*fault, *contours, console);
+    return ExitCode::InputErrors;
   }
   const auto loops = in_order(offset_by(job, *contours, *distance));
   return write_result(job.request.output, in_form(*form, loops, *contours), console);

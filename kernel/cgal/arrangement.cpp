@@ -9,19 +9,23 @@
 #include <queue>
 #include <set>
 
+#include "kernel/box_tree.h"
 #include "kernel/cgal/types.h"
 
 namespace dgt::cgal {
 namespace {
 
-/// How often, net, the raw curves run along an edge of the arrangement from left to right, and a
-/// raw piece that does.
+/// How often, net, the raw curves run along an edge of the arrangement from left to right, and the
+/// first and last raw piece that does.
 struct Count {
   int net = 0;
   RawKey piece;
+  RawKey last;
 };
 struct AddCounts {
-  Count operator()(const Count& a, const Count& b) const { return {a.net + b.net, a.piece}; }
+  Count operator()(const Count& a, const Count& b) const {
+    return {a.net + b.net, a.piece, b.last};
+  }
 };
 
 using BaseTraits = CGAL::Arr_circle_segment_traits_2<LinearKernel>;
@@ -50,7 +54,7 @@ std::vector<Traits::X_monotone_curve_2> monotone_pieces(const std::vector<RawPie
     for (const CGAL::Object& part : parts) {
       BaseTraits::X_monotone_curve_2 curve;
       if (CGAL::assign(curve, part))
-        result.emplace_back(curve, Count{curve.is_directed_right() ? 1 : -1, piece.key});
+        result.emplace_back(curve, Count{curve.is_directed_right() ? 1 : -1, piece.key, piece.key});
     }
   }
   return result;
@@ -112,7 +116,61 @@ OffsetPiece to_piece(Halfedge e) {
   return piece;
 }
 
+/// The box of a boundary's vertices, and its lowest vertex with the pieces that meet there.
+class Boundary {
+ public:
+  explicit Boundary(Arrangement::Ccb_halfedge_const_circulator first) {
+    auto e = first;
+    do {
+      all_ = e == first ? box_of(e) : all_.united(box_of(e));
+      look_at(e);
+    } while (++e != first);
+  }
+  [[nodiscard]] bool is_minute() const {
+    return all_.max_x - all_.min_x < kOffsetResolution &&
+           all_.max_y - all_.min_y < kOffsetResolution;
+  }
+  [[nodiscard]] const OddFace& corner() const { return corner_; }
+
+ private:
+  static Box box_of(Halfedge e) {
+    const auto box = e->curve().bbox();
+    return {box.xmin(), box.ymin(), box.xmax(), box.ymax()};
+  }
+  /// Where two pieces meet comes before where one goes on.
+  void look_at(Halfedge e) {
+    const auto& at = e->target()->point();
+    const Count& count = e->curve().data();
+    const bool overlaps = std::abs(count.net) > 1;
+    const OddFace here{CGAL::to_double(at.x()), CGAL::to_double(at.y()), count.piece,
+                       overlaps ? count.last : e->next()->curve().data().piece,
+                       overlaps || e->target()->degree() > 2};
+    const auto rank = [](const OddFace& f) { return std::tuple(!f.at_crossing, f.y, f.x); };
+    if (!found_ || rank(here) < rank(corner_)) corner_ = here;
+    found_ = true;
+  }
+
+  Box all_;
+  OddFace corner_;
+  bool found_ = false;
+};
+
 }  // namespace
+
+std::optional<OddFace> find_odd_face(const std::vector<RawPiece>& pieces, int wanted) {
+  Arrangement arrangement;
+  const auto curves = monotone_pieces(pieces);
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+  std::optional<OddFace> lowest;
+  for (const auto& [face, number] : winding_numbers(arrangement)) {
+    if (number == wanted || number == wanted - 1 || face->is_unbounded()) continue;
+    const Boundary boundary(face->outer_ccb());
+    if (boundary.is_minute()) continue;
+    const OddFace& corner = boundary.corner();
+    if (!lowest || std::pair(corner.y, corner.x) < std::pair(lowest->y, lowest->x)) lowest = corner;
+  }
+  return lowest;
+}
 
 std::vector<OffsetLoop> faces_with_winding_number(const std::vector<RawPiece>& pieces, int wanted) {
   Arrangement arrangement;

@@ -373,5 +373,43 @@ TEST(OffsetCommand, OtherVerbsReadPolylinesToo) {
   EXPECT_EQ(run_dgt({"format", shape("stadium")}).exit_code, 2);
 }
 
+// --- loops that bound nothing
+// ---------------------------------------------------------------------
+
+std::string refusal(const std::string& loops, const char* language = "en") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("loops.poly", loops);
+  const Outcome outcome = run_dgt({"offset", file, "--distance", "0.1", "--lang", language});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, IsEmpty());
+  return outcome.err;
+}
+
+TEST(OffsetRefuses, ALoopThatCrossesItself) {
+  const std::string eight = "0 0 0\n10 10 0\n10 0 0\n0 10 0\n";
+  EXPECT_EQ(
+      refusal(eight),
+      "dgt: error: loop 1 crosses itself, or runs over itself, near X5 Y5: which side of it is "
+      "the part cannot be told\n");
+  EXPECT_EQ(
+      refusal(eight, "ru"),
+      "dgt: error: контур 1 пересекает сам себя или накладывается на себя у точки X5 Y5: с какой "
+      "стороны деталь, определить нельзя\n");
+}
+
+TEST(OffsetRefuses, LoopsThatCross) {
+  EXPECT_EQ(
+      refusal("open\n50 0 0\n60 0 0\n\n0 0 0\n10 0 0\n10 10 0\n\n5 -5 0\n15 -5 0\n15 5 0\n5 5 0\n"),
+      "dgt: error: loops 2 and 3 cross near X5 Y0: which side of them is the part cannot be "
+      "told\n");
+}
+
+TEST(OffsetRefuses, AHoleThatRunsLikeItsOuterLoop) {
+  EXPECT_EQ(refusal("0 0 0\n10 0 0\n10 10 0\n0 10 0\n\n2 2 0\n4 2 0\n4 4 0\n"),
+            "dgt: error: loop 2, which begins at X2 Y2, runs the wrong way round: the part must "
+            "lie to the "
+            "left of every loop, outer ones counter-clockwise, holes clockwise\n");
+}
+
 }  // namespace
 }  // namespace dgt

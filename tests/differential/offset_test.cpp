@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "kernel/loop_fault.h"
 #include "tests/differential/contours.h"
 
 namespace dgt::differential {
@@ -92,6 +93,20 @@ TEST_P(Differential, EnginesGiveTheSameLoops) {
   EXPECT_EQ(wrong, 0U) << "of " << count;
   RecordProperty("by_reference", static_cast<int>(slow));
   std::printf("%u of %u by the reference\n", slow, count);
+}
+
+TEST_P(Differential, TheContoursBoundARegionAndOneOfThemReversedBoundsNone) {
+  for (std::uint32_t seed = 1; seed <= tries() / 5; ++seed) {
+    std::vector<Chain> loops = make(GetParam(), seed).chains();
+    EXPECT_FALSE(find_loop_fault(loops)) << "seed " << seed;
+    std::vector<Chain> backwards;
+    for (const Chain& loop : loops) backwards.push_back(reversed(loop));
+    EXPECT_FALSE(find_loop_fault(backwards)) << "seed " << seed;
+    if (loops.size() < 2) continue;
+    const std::size_t one = seed % loops.size();
+    loops[one] = backwards[one];
+    EXPECT_TRUE(find_loop_fault(loops)) << "seed " << seed;
+  }
 }
 
 std::string name_of(const testing::TestParamInfo<Family>& family) {
