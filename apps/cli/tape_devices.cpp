@@ -45,10 +45,8 @@ Step<ReaderSettings> reader_for(const std::string& option, const char* name,
 
 TapeReading read_device(const ReaderSettings& settings, const TapeFormat& format,
                         const Console& console) {
-  const auto reader = open_reader(settings);
-  if (!reader) return {{}, reader.error()};
   Progress progress(settings.device, 0, console);
-  return read_tape(**reader, settings, format, progress.watch());
+  return read_from(settings, format, progress.watch());
 }
 
 /// Nothing that was read is lost.

@@ -58,6 +58,13 @@ std::string with_line_ends(const std::string& text, const std::string& line_end)
   return out;
 }
 
+TapeReading read_from(const ReaderSettings& settings, const TapeFormat& format,
+                      const Watch& watch) {
+  const auto reader = open_reader(settings);
+  if (!reader) return {{}, reader.error()};
+  return read_tape(**reader, settings, format, watch);
+}
+
 std::vector<Row> rest_of(const std::vector<Row>& rows, std::size_t from, const TapeFormat& format) {
   if (from == 0) return rows;
   std::vector<Row> rest(rows_in(format.leader), kBlankRow);

@@ -37,6 +37,10 @@ struct ProgramOnTape {
 /// The text of a tape with the line ends of a file.
 [[nodiscard]] std::string with_line_ends(const std::string& text, const std::string& line_end);
 
+/// One reading of the tape in a device.
+[[nodiscard]] TapeReading read_from(const ReaderSettings& settings, const TapeFormat& format,
+                                    const Watch& watch = {});
+
 /// What is punched when an earlier punching went up to the row before `from` (from 0): blank tape
 /// to be spliced, then the rest.
 [[nodiscard]] std::vector<Row> rest_of(const std::vector<Row>& rows, std::size_t from,

@@ -76,7 +76,8 @@ void NcPanel::lay_out() {
   split->setStretchFactor(1, 1);
   split->setChildrenCollapsible(false);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  const int margin = fontMetrics().height() / 4;
+  column->setContentsMargins(margin, margin, margin, 0);
   column->addWidget(bar_);
   column->addWidget(certificate_line_);
   column->addWidget(notices_);
