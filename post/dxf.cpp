@@ -54,6 +54,7 @@ double degrees(const ArcFigures& circle, const Point& p) {
 class DxfDrawing {
  public:
   std::string run(const Toolpath& path) {
+    groups_.add(999, "dgt plot");
     header(path);
     tables();
     section("ENTITIES");

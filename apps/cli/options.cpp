@@ -90,16 +90,16 @@ void add_encoding_option(CLI::App& verb, SourceOptions& options) {
 }
 
 void add_reading_options(CLI::App& verb, SourceOptions& options) {
-  static const std::map<std::string, InputLanguage> kInputs = {{"dgt", InputLanguage::Dgt},
-                                                               {"essi", InputLanguage::Essi},
-                                                               {"essi-iso", InputLanguage::EssiIso},
-                                                               {"gcode", InputLanguage::Gcode},
-                                                               {"poly", InputLanguage::Poly}};
+  static const std::map<std::string, InputLanguage> kInputs = {
+      {"dgt", InputLanguage::Dgt},          {"essi", InputLanguage::Essi},
+      {"essi-iso", InputLanguage::EssiIso}, {"gcode", InputLanguage::Gcode},
+      {"dxf", InputLanguage::Dxf},          {"poly", InputLanguage::Poly}};
   verb.add_option(
           "--from", options.from,
           "Language of the input (default: by the extension; .bgt and .dgt are DGT, .ess and .essi "
-          "ESSI, .nc, .cnc, .gcode, .ngc and .tap G-code, .poly polylines; standard input is DGT)")
-      ->option_text("dgt|essi|essi-iso|gcode|poly")
+          "ESSI, .nc, .cnc, .gcode, .ngc and .tap G-code, .dxf drawings, .poly polylines; standard "
+          "input is DGT)")
+      ->option_text("dgt|essi|essi-iso|gcode|dxf|poly")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
   add_encoding_option(verb, options);

@@ -38,15 +38,26 @@ void compile_poly(Compilation& made) {
   if (!made.bag.has_errors()) made.result.path = toolpath_of(loops, *made.file);
 }
 
+ContourOptions contour_options(const EvaluateOptions& evaluate) {
+  ContourOptions options;
+  options.join_tolerance = evaluate.join_tolerance;
+  options.gouge = evaluate.gouge;
+  options.corner = evaluate.corner;
+  options.corner_limit = evaluate.corner_limit;
+  return options;
+}
+
+void compile_dxf(Compilation& made, const SourceSettings& settings) {
+  Toolpath path = read_dxf(*made.file, settings.dxf, contour_options(settings.evaluate), made.bag);
+  if (!made.bag.has_errors()) made.result.path = std::move(path);
+  made.bag.sort();
+}
+
 void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& evaluate) {
   if (!made.bag.has_errors()) {
     made.arcs = std::move(program.arcs);
     made.placed_by = program.placed_by;
-    ContourOptions options;
-    options.join_tolerance = evaluate.join_tolerance;
-    options.gouge = evaluate.gouge;
-    options.corner = evaluate.corner;
-    options.corner_limit = evaluate.corner_limit;
+    const ContourOptions options = contour_options(evaluate);
     Toolpath path = with_kerf(*made.file, std::move(program), options, made.bag);
     if (!made.bag.has_errors()) made.result.path = std::move(path);
   }
@@ -68,6 +79,7 @@ void compile_gcode(Compilation& made, const SourceSettings& settings) {
 std::optional<InputLanguage> language_of(const std::string& name) {
   const std::string extension = lower_extension(name);
   if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
+  if (extension == ".dxf") return InputLanguage::Dxf;
   if (extension == ".poly") return InputLanguage::Poly;
   if (extension == ".ess" || extension == ".essi") return InputLanguage::Essi;
   static constexpr std::array<std::string_view, 5> kGcode = {".nc", ".cnc", ".gcode", ".ngc",
@@ -98,6 +110,9 @@ Compilation compile_source(const std::string& name, std::shared_ptr<const Source
       break;
     case InputLanguage::Gcode:
       compile_gcode(made, settings);
+      break;
+    case InputLanguage::Dxf:
+      compile_dxf(made, settings);
       break;
     case InputLanguage::Poly:
       compile_poly(made);

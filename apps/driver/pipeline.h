@@ -9,6 +9,7 @@
 
 #include "apps/driver/file_io.h"
 #include "lang/dgt/compile.h"
+#include "lang/dxf/reader.h"
 #include "lang/essi/reader.h"
 #include "lang/gcode/reader.h"
 
@@ -16,11 +17,10 @@
 /// tests and the fuzzers share.
 namespace dgt {
 
-enum class InputLanguage : std::uint8_t { Dgt, Essi, EssiIso, Gcode, Poly };
+enum class InputLanguage : std::uint8_t { Dgt, Essi, EssiIso, Gcode, Dxf, Poly };
 
 /// By the extension, in either case: `.bgt` and `.dgt`; `.ess` and `.essi`; `.nc`, `.cnc`,
-/// `.gcode`,
-/// `.ngc` and `.tap`; `.poly`. Standard input is DGT.
+/// `.gcode`, `.ngc` and `.tap`; `.dxf`; `.poly`. Standard input is DGT.
 [[nodiscard]] std::optional<InputLanguage> language_of(const std::string& name);
 
 struct SourceSettings {
@@ -28,6 +28,7 @@ struct SourceSettings {
   EvaluateOptions evaluate;
   EssiOptions essi;
   GcodeOptions gcode;
+  DxfOptions dxf;
   std::optional<Encoding> encoding;     ///< of the program; `evaluate` has that of macros
   std::vector<std::string> macro_path;  ///< folders, after the program's own and its `mac`
 };

@@ -115,7 +115,10 @@ bool set_arc_tolerance(Settings& settings, std::string_view text) {
 
 bool set_kerf(Settings& settings, std::string_view text) {
   const auto value = decimal_between(text, 0, 100);
-  if (value) change_nc(settings, [&](NcOptions& nc) { nc.kerf_width = *value; });
+  if (value) {
+    change_nc(settings, [&](NcOptions& nc) { nc.kerf_width = *value; });
+    settings.source.dxf.kerf_width = *value;
+  }
   return value.has_value();
 }
 
@@ -153,6 +156,55 @@ bool set_positions(Settings& settings, std::string_view text) {
 bool set_read_dwell(Settings& settings, std::string_view text) {
   settings.source.gcode.dwell_unit = text == "ms" ? Rational(1, 1000) : Rational(1);
   return text == "ms" || text == "s";
+}
+
+/// Names between commas; none: all layers that show.
+bool set_layers(Settings& settings, std::string_view text) {
+  std::vector<std::string>& layers = settings.source.dxf.layers;
+  layers.clear();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    std::string_view name = text.substr(0, end);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    if (name.empty()) return false;
+    layers.emplace_back(name);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
+}
+
+bool set_dxf_unit(Settings& settings, std::string_view text) {
+  DxfUnit& unit = settings.source.dxf.unit;
+  if (text == "drawing") return unit = DxfUnit::Drawing, true;
+  if (text == "mm") return unit = DxfUnit::Millimetre, true;
+  if (text == "inch") return unit = DxfUnit::Inch, true;
+  return false;
+}
+
+bool set_dxf_order(Settings& settings, std::string_view text) {
+  std::optional<DxfOrder>& order = settings.source.dxf.order;
+  if (text == "auto") return order.reset(), true;
+  if (text == "inside-out") return order = DxfOrder::InsideOut, true;
+  if (text == "drawn") return order = DxfOrder::File, true;
+  return false;
+}
+
+bool set_dxf_kerf(Settings& settings, std::string_view text) {
+  settings.source.dxf.apply_kerf = text == "on";
+  return text == "on" || text == "off";
+}
+
+bool set_dxf_join_tolerance(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, 0, 10);
+  if (value) settings.source.dxf.join_tolerance = *value;
+  return value.has_value();
+}
+
+bool set_curve_tolerance(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, Rational(1, 1'000'000), 10);
+  if (value) settings.source.dxf.curve_tolerance = *value;
+  return value.has_value();
 }
 
 /// What a machine moves with; 0 where `least` says so.
@@ -196,6 +248,12 @@ constexpr std::array kRules{
          }},
     Rule{{"gcode.positions", "absolute|incremental"}, set_positions},
     Rule{{"gcode.dwell_unit", "s|ms"}, set_read_dwell},
+    Rule{{"dxf.layers", "NAME,NAME"}, set_layers},
+    Rule{{"dxf.unit", "drawing|mm|inch"}, set_dxf_unit},
+    Rule{{"dxf.join_tolerance", "0…10 mm"}, set_dxf_join_tolerance},
+    Rule{{"dxf.curve_tolerance", "0.000001…10 mm"}, set_curve_tolerance},
+    Rule{{"dxf.order", "auto|inside-out|drawn"}, set_dxf_order},
+    Rule{{"dxf.kerf", "on|off"}, set_dxf_kerf},
     Rule{{"corner", "extend|round|chamfer"}, set_corner},
     Rule{{"corner_limit", "1…1000"}, set_corner_limit},
     Rule{{"rapid_speed", "0.001…1000000 mm/min"},
@@ -232,6 +290,7 @@ constexpr std::array kRules{
            const bool is_one = set_whole(settings.source.evaluate.bounds.moves, text, kMostWork);
            const std::uint64_t moves = settings.source.evaluate.bounds.moves;
            change_nc(settings, [&](NcOptions& nc) { nc.max_moves = moves; });
+           settings.source.dxf.max_moves = moves;
            return is_one;
          }},
     Rule{{"max_loop_depth", "1…1000"},
