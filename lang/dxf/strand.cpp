@@ -20,9 +20,9 @@ constexpr std::string_view kOwnCuts = "EQUIDISTANT";
 Rational millimetres_of(long units) {
   switch (units) {
     case 1:  // inch
-      return {254, 10};
+      return {127, 5};
     case 2:  // foot
-      return {3048, 10};
+      return {1524, 5};
     case 4:
       return 1;
     case 5:  // cm
@@ -30,7 +30,7 @@ Rational millimetres_of(long units) {
     case 6:  // m
       return 1000;
     case 9:  // mil
-      return {254, 10'000};
+      return {127, 5000};
     case 13:  // micrometre
       return {1, 1000};
     case 14:  // dm
@@ -95,7 +95,7 @@ class Expansion {
 
   Rational unit_in_millimetres() {
     if (options_.unit == DxfUnit::Millimetre) return 1;
-    if (options_.unit == DxfUnit::Inch) return {254, 10};
+    if (options_.unit == DxfUnit::Inch) return {127, 5};
     const Rational unit = millimetres_of(drawing_.units);
     if (sgn(unit) != 0) return unit;
     const bool is_said = drawing_.units_place.file != nullptr;

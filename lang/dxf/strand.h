@@ -37,7 +37,7 @@ enum class DxfOrder : std::uint8_t { InsideOut, File };
 
 struct DxfOptions {
   /// Read these layers alone, whether they are shown or not; empty: all that are shown.
-  std::vector<std::string> layers;
+  std::vector<std::string> layers = {};
   DxfUnit unit = DxfUnit::Drawing;
   /// Ends no farther apart are joined. The default is the tenth part of the coarsest control's
   /// unit: ends that a drawing program left apart by rounding lie nearer, real gaps do not. Unit:
@@ -48,10 +48,10 @@ struct DxfOptions {
   Rational curve_tolerance = Rational(1, 1000);
   /// What is cut first: holes before what they lie in, or everything as it is drawn, one entity
   /// after the other; unset: the first, save for drawings of a path by `dgt plot`.
-  std::optional<DxfOrder> order;
+  std::optional<DxfOrder> order = std::nullopt;
   /// How wide the tool cuts. Closed contours are moved by half of it, outer ones outward and holes
   /// inward. Unit: mm.
-  Rational kerf_width;
+  Rational kerf_width = 0;
   bool apply_kerf = true;
   /// Moves, and entities that blocks put in place.
   std::uint64_t max_moves = 10'000'000;
