@@ -425,7 +425,7 @@ class Fitting {
 };
 
 /// An end of the curve, as it is when its numbers are short, else on the grid.
-RationalPoint end_point(const ControlPoint& p) {
+RationalPoint end_point(const BezierPoint& p) {
   constexpr std::size_t kShort = 96;
   const RationalPoint at{p.x / p.w, p.y / p.w};
   if (height(at.x) <= kShort && height(at.y) <= kShort) return at;
@@ -435,7 +435,7 @@ RationalPoint end_point(const ControlPoint& p) {
 Stretch stretch_of(const RationalCurve& curve) {
   DGT_CHECK(curve.size() >= 2 && curve.size() <= kMaxDegree + 1);
   Stretch stretch;
-  for (const ControlPoint& p : curve) {
+  for (const BezierPoint& p : curve) {
     DGT_CHECK(sgn(p.w) > 0);
     stretch.push_back({Ball(p.x), Ball(p.y), Ball(p.w)});
   }

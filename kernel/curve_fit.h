@@ -9,7 +9,7 @@
 namespace dgt {
 
 /// A control point of a rational Bézier curve in homogeneous form: it stands for (x/w, y/w).
-struct ControlPoint {
+struct BezierPoint {
   Rational x;
   Rational y;
   Rational w = 1;
@@ -17,7 +17,7 @@ struct ControlPoint {
 
 /// The curve Σ Bᵢ(t) (x, y)ᵢ / Σ Bᵢ(t) wᵢ for t from 0 to 1, with the Bernstein polynomials Bᵢ of
 /// the degree, one less than there are points. All weights are positive.
-using RationalCurve = std::vector<ControlPoint>;
+using RationalCurve = std::vector<BezierPoint>;
 
 /// Lines and arcs along a curve.
 ///  (1) Every point of the curve lies within `tolerance` of them, and every point of them within it

@@ -18,22 +18,22 @@ RationalCurve quarter_of(const PlacedEllipse& ellipse, const UnitVector& from,
     const Rational cos = x * from.x() - y * from.y();
     const Rational sin = x * from.y() + y * from.x();
     const Vector at = w * ellipse.centre + cos * ellipse.major + sin * ellipse.minor;
-    return ControlPoint{at.x, at.y, w};
+    return BezierPoint{at.x, at.y, w};
   };
   return {point(1, 0, 1), point(1, s, 1), point(1 - s * s, 2 * s, 1 + s * s)};
 }
 
-ControlPoint between(const ControlPoint& a, const ControlPoint& b, const Rational& t) {
+BezierPoint between(const BezierPoint& a, const BezierPoint& b, const Rational& t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
 
 /// The polar form of the spline over the span that begins at knot `span`, by de Boor's triangle.
-ControlPoint polar_form(const DxfSpline& spline, std::size_t span,
-                        std::span<const Rational> arguments) {
+BezierPoint polar_form(const DxfSpline& spline, std::size_t span,
+                       std::span<const Rational> arguments) {
   const std::size_t n = spline.degree;
   const std::vector<Rational>& u = spline.knots;
-  std::vector<ControlPoint> d(spline.points.begin() + static_cast<std::ptrdiff_t>(span - n),
-                              spline.points.begin() + static_cast<std::ptrdiff_t>(span + 1));
+  std::vector<BezierPoint> d(spline.points.begin() + static_cast<std::ptrdiff_t>(span - n),
+                             spline.points.begin() + static_cast<std::ptrdiff_t>(span + 1));
   for (std::size_t r = 1; r <= n; ++r) {
     for (std::size_t k = n; k >= r; --k) {
       const std::size_t i = span - n + k;
@@ -78,7 +78,7 @@ std::vector<RationalCurve> curves_of(const DxfSpline& spline, const Placement& p
     for (std::size_t k = 0; k <= n; ++k) {
       std::vector<Rational> arguments(n, u[span]);
       for (std::size_t i = 0; i < k; ++i) arguments[n - 1 - i] = u[span + 1];
-      const ControlPoint p = polar_form(spline, span, arguments);
+      const BezierPoint p = polar_form(spline, span, arguments);
       const Vector at = placement.turned({p.x, p.y}) + p.w * placement.origin;
       curve.push_back({at.x, at.y, p.w});
     }

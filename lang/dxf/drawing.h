@@ -45,8 +45,8 @@ struct DxfEllipse {
 
 struct DxfSpline {
   std::size_t degree = 3;
-  std::vector<Rational> knots;       ///< points.size() + degree + 1 of them, not decreasing
-  std::vector<ControlPoint> points;  ///< homogeneous
+  std::vector<Rational> knots;      ///< points.size() + degree + 1 of them, not decreasing
+  std::vector<BezierPoint> points;  ///< homogeneous
 };
 
 /// A block put in place: turned, scaled, repeated.

@@ -245,7 +245,7 @@ class EntityReader {
       return false;
     }
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      ControlPoint& p = spline.points[i];
+      BezierPoint& p = spline.points[i];
       p = {p.x * weights[i], p.y * weights[i], weights[i]};
     }
     return true;

@@ -300,7 +300,7 @@ class Expansion {
     }
     flush();
   }
-  static bool meet(const ControlPoint& a, const ControlPoint& b) {
+  static bool meet(const BezierPoint& a, const BezierPoint& b) {
     return a.x / a.w == b.x / b.w && a.y / a.w == b.y / b.w;
   }
 

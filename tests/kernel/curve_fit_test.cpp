@@ -22,7 +22,7 @@ struct Place {
 
 Place at(const RationalCurve& curve, double t) {
   std::vector<std::array<double, 3>> p;
-  for (const ControlPoint& c : curve)
+  for (const BezierPoint& c : curve)
     p.push_back({nearest_double(c.x), nearest_double(c.y), nearest_double(c.w)});
   for (std::size_t n = p.size(); n > 1; --n) {
     for (std::size_t i = 0; i + 1 < n; ++i)

@@ -106,7 +106,7 @@ struct Printer {
   }
   void operator()(const DxfSpline& d) const {
     lines.push_back(line("SPLINE", static_cast<double>(d.degree)));
-    for (const ControlPoint& p : d.points)
+    for (const BezierPoint& p : d.points)
       lines.push_back(line("POINT", Rational(p.x / p.w), Rational(p.y / p.w), p.w));
     for (const Rational& knot : d.knots) lines.push_back(line("KNOT", knot));
   }
