@@ -75,20 +75,21 @@ class OffsetEngine {
   bool find_crossings() {
     passings_.reserve(2 * curve_.size());
     bool decided = true;
-    tree_.pairs([&](std::size_t i, std::size_t j) {
+    std::size_t pairs = 0;  // here the compiler keeps it in a register
+    tree_.pairs([&, curve = &curve_](std::size_t i, std::size_t j) {
       const auto a = static_cast<std::uint32_t>(i);
       const auto b = static_cast<std::uint32_t>(j);
-      if (curve_.adjacent(a, b)) return;
-      ++counts_.pairs;
-      if (decided) decided = cross_strands(a, b);
+      if (curve->adjacent(a, b)) return;
+      ++pairs;
+      if (decided && !curve->surely_apart(a, b)) decided = cross_strands(a, b);
     });
+    counts_.pairs = pairs;
+    counts_.decisions += pairs;
     counts_.crossings = passings_.size();
     return decided;
   }
 
   bool cross_strands(std::uint32_t a, std::uint32_t b) {
-    ++counts_.decisions;
-    if (curve_.surely_apart(a, b)) return true;
     const quick::Crossings crossings = quick::cross(curve_, a, b);
     if (crossings.decided) {
       for (int i = 0; i < crossings.count; ++i) {
