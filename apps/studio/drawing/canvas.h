@@ -93,7 +93,7 @@ class Canvas : public QWidget {
 
   ToolRun& tool_;
   ScenePtr scene_;
-  PictureStore pictures_;
+  PictureStore pictures_{this};
   SheetView view_;
   bool fitted_ = true;
   Shown shown_;

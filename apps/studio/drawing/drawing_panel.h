@@ -82,9 +82,9 @@ class DrawingPanel : public QWidget {
   ToolRun tool_;
   /// Set when nobody wants the scene in work any more.
   std::shared_ptr<std::atomic<bool>> given_up_;
-  Background scenes_;
-  Background lengths_;
-  Background files_;
+  Background scenes_{this};
+  Background lengths_{this};
+  Background files_{this};
 
   Canvas* canvas_;
   Readout* readout_;

@@ -67,8 +67,8 @@ InternalForm::InternalForm(QWidget* parent)
   connect(previous_, &QToolButton::clicked, this, &InternalForm::find_previous);
   connect(copy_, &QToolButton::clicked, this, &InternalForm::copy);
   connect(save_, &QToolButton::clicked, this, &InternalForm::save);
-  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& now) { choose(now.row()); });
+  connect(view_, &QListView::activated, this,
+          [this](const QModelIndex& chosen) { go_to_source(chosen.row()); });
   retranslate();
 }
 
@@ -95,8 +95,7 @@ void InternalForm::light_line(int file, int line) {
   view_->scrollTo(lines_.index(static_cast<int>(first)));
 }
 
-void InternalForm::choose(int row) {
-  if (row < 0) return;
+void InternalForm::go_to_source(int row) {
   const SourcePlace place = lines_.text()->source(static_cast<std::size_t>(row));
   if (place.line == 0) return;
   emit place_chosen(static_cast<int>(place.file), static_cast<int>(place.line),

@@ -38,7 +38,7 @@ class InternalForm : public QWidget {
   void save();
 
  signals:
-  /// A line was chosen: where its move was asked for.
+  /// Enter or a double click on a line: where its move was asked for.
   void place_chosen(int file, int line, int column);
   void settled();
 
@@ -50,7 +50,7 @@ class InternalForm : public QWidget {
  private:
   void retranslate();
   void copy();
-  void choose(int row);
+  void go_to_source(int row);
   void find(bool backwards);
   void show_note();
 
@@ -65,7 +65,7 @@ class InternalForm : public QWidget {
   QToolButton* save_;
   QLabel* note_;
   QListView* view_;
-  Background work_;
+  Background work_{this};
 };
 
 }  // namespace dgt::studio

@@ -49,7 +49,7 @@ class PictureStore : public QObject {
   ScenePicture picture_;
   ScenePtr asked_;  ///< of which a picture is being painted
   bool settled_ = true;
-  Background work_;
+  Background work_{this};
 };
 
 }  // namespace dgt::studio

@@ -27,6 +27,7 @@ PointsPanel::PointsPanel(QWidget* parent)
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setAlternatingRowColors(true);
   table_->setTabKeyNavigation(false);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // rows are many and alike
@@ -48,7 +49,11 @@ PointsPanel::PointsPanel(QWidget* parent)
 
   connect(copy_, &QToolButton::clicked, this, &PointsPanel::copy);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& now) { choose(now.row()); });
+          [this](const QModelIndex& now) {
+            if (now.isValid()) emit point_chosen(now.row() + 1);
+          });
+  connect(table_, &QTableView::activated, this,
+          [this](const QModelIndex& chosen) { go_to_source(chosen.row()); });
   retranslate();
 }
 
@@ -73,9 +78,7 @@ void PointsPanel::choose_point(int number) {
   table_->selectRow(number - 1);
 }
 
-void PointsPanel::choose(int row) {
-  if (row < 0) return;
-  emit point_chosen(row + 1);
+void PointsPanel::go_to_source(int row) {
   const SourcePlace& place = model_.points()[static_cast<std::size_t>(row)].source;
   if (place.line == 0) return;
   emit place_chosen(static_cast<int>(place.file), static_cast<int>(place.line),

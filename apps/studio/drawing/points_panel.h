@@ -33,7 +33,8 @@ class PointsPanel : public QWidget {
  signals:
   /// A row was chosen: the number of the point, from 1.
   void point_chosen(int number);
-  /// Where the move that leads to the chosen point was asked for; see DrawingPanel.
+  /// Enter or a double click on a row: where the move that leads to its point was asked for; see
+  /// DrawingPanel.
   void place_chosen(int file, int line, int column);
   void settled();
 
@@ -44,7 +45,7 @@ class PointsPanel : public QWidget {
  private:
   void retranslate();
   void copy();
-  void choose(int row);
+  void go_to_source(int row);
   void show_count();
 
   bool is_good_ = true;
@@ -52,7 +53,7 @@ class PointsPanel : public QWidget {
   QLabel* count_;
   QToolButton* copy_;
   QTableView* table_;
-  Background work_;
+  Background work_{this};
 };
 
 }  // namespace dgt::studio

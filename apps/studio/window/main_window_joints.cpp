@@ -139,6 +139,7 @@ void MainWindow::join_panels() {
           [this] { panels_->show(Panels::Panel::Faults); });
   connect(p.drawing, &DrawingPanel::place_chosen, this, &MainWindow::go_to_place);
   connect(p.drawing, &DrawingPanel::programmed_shown, actions_->programmed, &QAction::setChecked);
+  connect(p.points, &PointsPanel::point_chosen, p.drawing, &DrawingPanel::light_point);
   connect(p.points, &PointsPanel::place_chosen, this, &MainWindow::go_to_place);
   connect(p.internal_form, &InternalForm::place_chosen, this, &MainWindow::go_to_place);
   connect(p.nc, &NcPanel::place_chosen, this, &MainWindow::go_to_place);
@@ -185,7 +186,8 @@ void MainWindow::go_to_place(int file, int line, int column) {
     return;
   }
   editor_->go_to(line, column);
-  editor_->setFocus();
+  // The drawing keeps the keyboard: Space steps the tool, and would else go into the program.
+  if (sender() != panels_->drawing) editor_->setFocus();
 }
 
 void MainWindow::light_line(int line) {
