@@ -214,7 +214,8 @@ TEST(TapeDialog, ADamagedRowIsToldAndMarked) {
   OpenTape tape(TapeJob::Read);
   tape.device("reader", folder.write("p.tap", {rows.begin(), rows.end()}));
   tape.run();
-  EXPECT_TRUE(tape.status().startsWith(QStringLiteral("1 damaged"))) << tape.status().toStdString();
+  EXPECT_TRUE(tape.status().startsWith(QStringLiteral("Damaged places: 1;")))
+      << tape.status().toStdString();
   ASSERT_GE(tape.faults()->topLevelItemCount(), 1);
   EXPECT_TRUE(tape.faults()->topLevelItem(0)->text(0).contains(QStringLiteral("41")))
       << tape.faults()->topLevelItem(0)->text(0).toStdString();

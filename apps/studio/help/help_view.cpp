@@ -26,7 +26,7 @@ void dress(QTextDocument& document) {
     auto* const table = qobject_cast<QTextTable*>(frame);
     if (table == nullptr) continue;
     QTextTableFormat format = table->format();
-    format.setBorder(0.5);
+    format.setBorder(1);
     format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     format.setBorderBrush(colours().grid);
     format.setBorderCollapse(true);

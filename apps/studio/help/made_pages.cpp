@@ -90,6 +90,8 @@ QString page_of_messages(Language language) {
   return page;
 }
 
+QString bridge_to_program() { return Help::tr("and the program that uses it:"); }
+
 QString table_of_dialects() {
   QString table = QStringLiteral("| %1 | %2 |\n| --- | --- |\n")
                       .arg(Help::tr("dialect"), Help::tr("what it is"));

@@ -15,5 +15,7 @@ namespace dgt::studio {
 /// Every message with its code.
 [[nodiscard]] QString page_of_messages(Language language);
 [[nodiscard]] QString table_of_dialects();
+/// Between a macro and the program of a sample.
+[[nodiscard]] QString bridge_to_program();
 
 }  // namespace dgt::studio

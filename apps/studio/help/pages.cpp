@@ -70,6 +70,7 @@ class Binder {
     if (found == samples_.end()) return {};
     QString text;
     for (const auto& [file, content] : found->second.files) text += file_text(file, content);
+    if (!text.isEmpty()) text += bridge_to_program() + QStringLiteral("\n\n");
     text += code(QString::fromStdString(found->second.program));
     book_.figures.insert(*found);
     return text + QStringLiteral("\n![%1](figure:%1)\n").arg(name);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kDialect = Qt::UserRole;
 constexpr int kIsFile = Qt::UserRole + 1;
-constexpr int kLettersWide = 78;
+constexpr int kLettersWide = 96;
 constexpr int kRows = 12;
 
 QString about(const Dialect& dialect) {

@@ -222,10 +222,10 @@ void NcPanel::update_labels() {
   certificate_line_->setVisible(exists);
   if (!exists) return;
   const WriteReport& report = written_->written.report;
-  QString line = tr("%1: %n blocks, at most %2 mm off the exact path (certified).", nullptr,
-                    static_cast<int>(report.blocks))
-                     .arg(QString::fromStdString(written_->settings().dialect.name),
-                          QString::fromStdString(told(report.deviation)));
+  QString line = tr("%1: blocks: %2, at most %3 mm off the exact path (certified).")
+                     .arg(QString::fromStdString(written_->settings().dialect.name))
+                     .arg(report.blocks)
+                     .arg(QString::fromStdString(told(report.deviation)));
   if (is_edited()) {
     line =
         tr("<b>Edited by hand</b>: nothing is certified any more. Verify proves the text as it "

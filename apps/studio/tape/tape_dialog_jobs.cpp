@@ -230,9 +230,7 @@ void TapeDialog::take_sound(const TapeTaken& taken) {
   const DecodedTape& decoded = taken.program.decoded;
   if (decoded.is_damaged()) {
     first_.reset();
-    tell(tr("%n damaged places; the messages say where.", nullptr,
-            static_cast<int>(decoded.damage_count)),
-         true);
+    tell(tr("Damaged places: %1; the messages say where.").arg(decoded.damage_count), true);
     return;
   }
   if (twice_->isChecked() && !first_) {

@@ -99,10 +99,9 @@ void TapeView::paint_strip(QPainter& painter, std::size_t first, double top) con
   const double left = kMarginMm * scale_;
   const double above = top + line * kLabelLines;
   painter.setPen(colours().line_numbers);
-  painter.drawText(QPointF(left, above - line * 0.25),
-                   QStringLiteral("%1 · %2 mm")
-                       .arg(first + 1)
-                       .arg(QString::fromStdString(millimetres_to(first))));
+  painter.drawText(
+      QPointF(left, above - line * 0.25),
+      tr("%1 · %2 mm").arg(first + 1).arg(QString::fromStdString(millimetres_to(first))));
   painter.setPen(Qt::NoPen);
   painter.setBrush(paper(is_dark()));
   painter.drawRect(QRectF(left, above, strip.length * scale_, kTapeWidth * scale_));
