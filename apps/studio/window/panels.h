@@ -34,6 +34,7 @@ class Panels : public QObject {
   enum class Panel : std::uint8_t { Drawing, Nc, InternalForm, Points, Wizard, Faults };
   /// Shows a panel in front of others and gives it the keyboard.
   void show(Panel panel);
+  void hide(Panel panel) { dock(panel)->hide(); }
   [[nodiscard]] bool is_shown(Panel panel) const;
   /// Esc: whether a panel had the keyboard. One that was opened over the drawing goes.
   bool leave();

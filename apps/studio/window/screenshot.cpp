@@ -82,6 +82,7 @@ QPixmap picture_of(MainWindow& window, const Picture& picture) {
       window.panels().show(Panels::Panel::Points);
       break;
     case View::Wizard:
+      window.panels().hide(Panels::Panel::Drawing);  // all forms are in view
       window.panels().show(Panels::Panel::Wizard);
       break;
     case View::Tape:
