@@ -20,7 +20,7 @@ class DocumentsOfAWindow : public StudioWindow {
   }
   /// The notice bar, when it shows something.
   [[nodiscard]] NoticeBar* notice() const {
-    auto* const bar = window->findChild<NoticeBar*>();
+    auto* const bar = &window->notices();
     return bar->isVisible() ? bar : nullptr;
   }
   void answer(int which) {

@@ -80,7 +80,8 @@ Texts texts_of(const QWidget& window) {
 QString without_names(QString text) {
   static const QRegularExpression kNames(QStringLiteral(
       "DGT Studio|DGT\\d+|Русский|English|G-code|UTF-8|utf-8|windows-1251|cp866|koi8-r|CRLF|TOML|"
-      "SVG|PDF|PNG|DXF|ESSI|essi-iso|GNU|Ctrl|Shift|Alt|Enter|Return|Space|Home|End|Esc|Del|PgUp|PgDown|"
+      "SVG|PDF|PNG|DXF|ESSI|essi-iso|GNU|Ctrl|Shift|Alt|Enter|Return|Space|Home|End|Esc|Del|PgUp|"
+      "PgDown|"
       "<[^>]*>|&nbsp;|\\*\\.\\w+|[\\w/.-]+\\.(bgt|toml|txt)|[A-Z]+\\d*(=[A-Z0-9.,-]+)?"));
   return text.remove(QLatin1Char('&')).remove(kNames);
 }

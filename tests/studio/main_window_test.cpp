@@ -146,7 +146,7 @@ TEST_F(MainWindowOfTheGuide, ABadMachineFileIsToldAndNotUsed) {
   window = std::make_unique<MainWindow>(
       MainWindow::Options{Language::English, Theme::Light, file("bad.toml"), file("studio.ini")});
   window->show();
-  EXPECT_TRUE(window->findChild<NoticeBar*>()->isVisible());
+  EXPECT_TRUE(window->notices().isVisible());
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ class KilledProgram : public StudioWindow {
     ASSERT_EQ(other.readLine().trimmed(), "kept");
     // While it lives its text is nobody else's.
     window->offer_recovery();
-    EXPECT_FALSE(window->findChild<NoticeBar*>()->isVisible());
+    EXPECT_FALSE(window->notices().isVisible());
     other.kill();
     ASSERT_TRUE(other.waitForFinished());
   }
   void answer(int which) {
-    auto* const bar = window->findChild<NoticeBar*>();
+    auto* const bar = &window->notices();
     ASSERT_TRUE(bar->isVisible());
     QTest::mouseClick(bar->findChild<QPushButton*>(QStringLiteral("answer%1").arg(which)),
                       Qt::LeftButton);
@@ -87,10 +87,10 @@ TEST_F(KilledProgram, TextForLaterIsOfferedAgain) {
   type_and_be_killed(QStringLiteral("L1=X0"));
   window->offer_recovery();
   answer(2);
-  EXPECT_FALSE(window->findChild<NoticeBar*>()->isVisible());
+  EXPECT_FALSE(window->notices().isVisible());
   open_window();
   window->offer_recovery();
-  EXPECT_TRUE(window->findChild<NoticeBar*>()->isVisible());
+  EXPECT_TRUE(window->notices().isVisible());
 }
 
 TEST_F(KilledProgram, WhatIsSavedOrTakenBackIsNotKept) {

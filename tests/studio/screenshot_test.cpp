@@ -42,7 +42,7 @@ class ScreenshotOfTheProgram : public testing::Test {
 
 TEST_F(ScreenshotOfTheProgram, HasTheSizeThatIsAskedFor) {
   const Outcome done = run({QStringLiteral("--screenshot"), picture, QStringLiteral("--size"),
-                        QStringLiteral("1000x700"), sample("1P.bgt")});
+                            QStringLiteral("1000x700"), sample("1P.bgt")});
   EXPECT_EQ(done.exit_code, 0) << done.said.toStdString();
   EXPECT_EQ(QImage(picture).size(), QSize(1000, 700));
 }

@@ -13,9 +13,9 @@
 
 namespace dgt::studio {
 
-/// Beyond this a text is no program, and the editor would take too much memory (about 20 bytes for
-/// one of the file).
-inline constexpr qint64 kLargestFile = 64LL * 1024 * 1024;
+/// Beyond this a text is no program a person writes, and the editor would take too much memory: a
+/// program of 10 MB takes half a gigabyte, its compilation included.
+inline constexpr qint64 kLargestFile = 32LL * 1024 * 1024;
 /// Beyond this a line stops the editor: it is laid out as a whole.
 inline constexpr qsizetype kLongestLine = 100'000;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/studio/window/documents.h"
 
+#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -25,7 +26,7 @@ Documents::Documents(SourceEditor* editor, NoticeBar* notices, SettingsStore* se
       editor_(editor),
       notices_(notices),
       settings_(settings),
-      recovery_(Recovery::standard_folder()) {
+      recovery_(Recovery::standard_folder(), this) {
   connect(&document_, &Document::changed, this, &Documents::document_changed);
   connect(&document_, &Document::changed_on_disk, this, &Documents::note_disk);
   connect(&recovery_, &Recovery::wanted, this, &Documents::keep);
@@ -153,7 +154,9 @@ void Documents::show_loaded(const LoadedText& loaded) {
   notices_->withdraw(subject(kReading));
   const std::string name = document_.name().toStdString();
   editor_->set_language(language_of(name).value_or(InputLanguage::Dgt));
+  QApplication::setOverrideCursor(Qt::WaitCursor);  // 10 MB take a second
   editor_->setPlainText(loaded.text);
+  QApplication::restoreOverrideCursor();
   editor_->document()->setModified(false);
   tell_how_read(loaded);
   emit opened();

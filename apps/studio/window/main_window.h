@@ -43,6 +43,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Panels& panels() { return *panels_; }
   [[nodiscard]] SourceEditor& editor() { return *editor_; }
   [[nodiscard]] Actions& actions() { return *actions_; }
+  [[nodiscard]] NoticeBar& notices() { return *notices_; }
   [[nodiscard]] const Documents& documents() const { return *documents_; }
   [[nodiscard]] const LiveCompiler& compiler() const { return *compiler_; }
   [[nodiscard]] const Settings& machine() const { return machine_; }

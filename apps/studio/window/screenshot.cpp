@@ -10,7 +10,6 @@
 #include <cstdio>
 
 #include "apps/driver/file_io.h"
-#include "apps/studio/background.h"
 #include "apps/studio/tape/tape_dialog.h"
 #include "apps/studio/window/main_window.h"
 
@@ -22,17 +21,20 @@ constexpr int kStill = 150;  // ms
 /// No program of a picture takes as long.
 constexpr int kLongestWait = 600'000;  // ms
 
-bool is_at_work(const MainWindow& window) {
-  if (!window.compiler().current()) return true;
-  for (const QWidget* const top : QApplication::topLevelWidgets()) {
-    for (const Background* const work : top->findChildren<Background*>()) {
-      if (work->is_busy()) return true;
-    }
-  }
-  return false;
+/// A panel behind another is never painted, and the drawing settles when it is.
+template <typename Panel>
+bool is_unsettled(const Panel* panel) {
+  return !panel->visibleRegion().isEmpty() && !panel->is_settled();
 }
 
-void wait_until_still(const MainWindow& window) {
+bool is_at_work(MainWindow& window) {
+  const Panels& panels = window.panels();
+  return !window.compiler().current() || is_unsettled(panels.drawing) ||
+         is_unsettled(panels.points) || is_unsettled(panels.internal_form) ||
+         is_unsettled(panels.nc);
+}
+
+void wait_until_still(MainWindow& window) {
   QElapsedTimer waited;
   waited.start();
   QElapsedTimer still;
