@@ -127,7 +127,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->may_close()) {
+  if (!documents_->may_close() || !may_leave_nc()) {
     event->ignore();
     return;
   }
@@ -135,6 +135,18 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_.set_window(saveGeometry(), saveState(kLayoutVersion));
   delete std::exchange(help_, nullptr);
   QMainWindow::closeEvent(event);
+}
+
+bool MainWindow::may_leave_nc() {
+  if (!panels_->nc->has_unsaved_edits()) return true;
+  QMessageBox question(QMessageBox::Question, tr("DGT Studio"),
+                       tr("The NC program was changed by hand and is not saved. Save it?"),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
+  panels_->nc->save();
+  return !panels_->nc->has_unsaved_edits();
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

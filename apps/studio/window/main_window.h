@@ -91,6 +91,8 @@ class MainWindow : public QMainWindow {
   void show_help(const QString& word);
   void show_about();
   void ask_to_exit();
+  /// An NC program that was changed by hand is saved or given up.
+  bool may_leave_nc();
   void set_font_size(int points);
   void show_title();
 

@@ -7,9 +7,11 @@
 #include <QEventLoop>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 
 #include "apps/driver/file_io.h"
+#include "apps/studio/background.h"
 #include "apps/studio/tape/tape_dialog.h"
 #include "apps/studio/window/main_window.h"
 
@@ -27,11 +29,15 @@ bool is_unsettled(const Panel* panel) {
   return !panel->visibleRegion().isEmpty() && !panel->is_settled();
 }
 
+bool has_work(const QWidget* window) {
+  return std::ranges::any_of(window->findChildren<Background*>(), &Background::is_busy);
+}
+
 bool is_at_work(MainWindow& window) {
   const Panels& panels = window.panels();
   return !window.compiler().current() || is_unsettled(panels.drawing) ||
          is_unsettled(panels.points) || is_unsettled(panels.internal_form) ||
-         is_unsettled(panels.nc);
+         std::ranges::any_of(QApplication::topLevelWidgets(), has_work);
 }
 
 void wait_until_still(MainWindow& window) {
@@ -58,10 +64,19 @@ void say(const FileError& error) {
   std::fprintf(stderr, "dgt-studio: error: %s\n", error.text().c_str());
 }
 
+/// Without a machine for the guide's first control.
+void show_nc(MainWindow& window) {
+  const std::string& dialect = window.machine().dialect.name;
+  window.panels().nc->set_dialect(dialect.empty() ? QStringLiteral("essi")
+                                                  : QString::fromStdString(dialect));
+  window.panels().show(Panels::Panel::Nc);
+}
+
 QPixmap picture_of_tape(MainWindow& window, const QSize& size) {
+  show_nc(window);
+  wait_until_still(window);
   TapeDialog dialog(TapeJob::Punch, window.machine(), &window);
-  const std::string bytes = window.editor().text().toStdString();
-  dialog.set_program(window.documents().document().name(), QByteArray::fromStdString(bytes));
+  dialog.set_program(window.documents().document().name(), window.panels().nc->program());
   dialog.resize(size);
   dialog.show();
   wait_until_still(window);
@@ -74,11 +89,7 @@ QPixmap picture_of(MainWindow& window, const Picture& picture) {
       window.draw();
       break;
     case View::Nc:
-      // Without a machine the guide's first control.
-      window.panels().nc->set_dialect(window.machine().dialect.name.empty()
-                                          ? QStringLiteral("essi")
-                                          : QString::fromStdString(window.machine().dialect.name));
-      window.panels().show(Panels::Panel::Nc);
+      show_nc(window);
       break;
     case View::Points:
       window.panels().show(Panels::Panel::Points);

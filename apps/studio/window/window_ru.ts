@@ -686,6 +686,10 @@ Your text is still here; save it elsewhere.</source>
         <source>Font size of the program</source>
         <translation>Размер шрифта программы</translation>
     </message>
+    <message>
+        <source>The NC program was changed by hand and is not saved. Save it?</source>
+        <translation>Программа ЧПУ изменена вручную и не сохранена. Сохранить её?</translation>
+    </message>
 </context>
 <context>
     <name>dgt::studio::Panels</name>
