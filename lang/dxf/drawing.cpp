@@ -27,6 +27,12 @@ class DrawingReader {
         file_.line_count() > 1 && file_.line_text(1) == "999" && file_.line_text(2) == kOwnMark;
     advance();
     while (at_ && !at_->is(0, "EOF")) {
+      if (at_->code == 9) {
+        // Old writers closed the header and then went on with it.
+        read_header();
+        if (at_ && at_->is(0, "ENDSEC")) advance();
+        continue;
+      }
       if (!at_->is(0, "SECTION")) {
         report(Message::DxfNoSection, at_->value, {std::string(at_->text())});
         return std::move(drawing_);

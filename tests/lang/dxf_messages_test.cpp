@@ -77,6 +77,13 @@ TEST(DxfMessages, EntitiesWithoutASection) {
             "t.dxf:2:1: error: 'LINE' stands where a SECTION begins [DGT1507]\n");
 }
 
+TEST(DxfMessages, AHeaderThatGoesOnBehindItsEndIsRead) {
+  EXPECT_EQ(told("0 SECTION|2 HEADER|9 $HANDSEED|5 FFFF|0 ENDSEC|9 $DIMASZ|40 2.5|9 $INSUNITS|70 "
+                 "4|0 ENDSEC|"
+                 "0 SECTION|2 ENTITIES|0 LINE|8 0|10 0|20 0|11 10|21 0|0 ENDSEC|0 EOF"),
+            "t.dxf:26:1: warning: open ends: 2; one lies at X0 Y0 [DGT1542]\n");
+}
+
 TEST(DxfMessages, ADecimalCommaIsNoNumber) {
   EXPECT_EQ(told("0 SECTION|2 ENTITIES|0 LINE|10 0|20 0|11 1,5|21 0|0 ENDSEC|0 EOF"),
             "t.dxf:12:1: error: '1,5' is no number, and the group 11 is one [DGT1508]\n");
