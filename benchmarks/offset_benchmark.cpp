@@ -6,6 +6,7 @@
 #include <malloc.h>
 
 #include "benchmarks/offset_shapes.h"
+#include "kernel/loop_fault.h"
 #include "kernel/offset.h"
 
 namespace dgt {
@@ -72,6 +73,29 @@ BENCHMARK_CAPTURE(production, rand10000, ring(10000), "1", Part::Ordinary)
 
 BENCHMARK_CAPTURE(reference, rand1000, ring(1000), "1")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reference, gear60, gear(60), "0.4")->Unit(benchmark::kMillisecond);
+
+/// Whether loops bound a region, as `dgt offset` asks before it does anything.
+void sound_loops(benchmark::State& state, const BulgePolyline& shape) {
+  const std::vector<Chain> loops = {shapes::chain(shape)};
+  for (auto _ : state) benchmark::DoNotOptimize(find_loop_fault(loops));
+  report(state, shape.size(), {.decisions = 1});
+}
+
+/// A comb of n slots of no width: edges that touch.
+BulgePolyline shut_slots(unsigned n) {
+  BulgePolyline shape = {{0, -20, 0}, {2.0 * n + 2, -20, 0}, {2.0 * n + 2, 0, 0}};
+  for (unsigned i = n; i > 0; --i) {
+    shape.push_back({2.0 * i, 0, 0});
+    shape.push_back({2.0 * i, -10, 0});
+    shape.push_back({2.0 * i, 0, 0});
+  }
+  shape.push_back({0, 0, 0});
+  return shape;
+}
+
+BENCHMARK_CAPTURE(sound_loops, rand10000, ring(10000))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sound_loops, gear6000, gear(6000))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sound_loops, shut_slots330, shut_slots(330))->Unit(benchmark::kMillisecond);
 
 void growth(benchmark::State& state) {
   const std::vector<BulgePolyline> loops = {ring(static_cast<unsigned>(state.range(0)))};

@@ -76,7 +76,8 @@ bool surely_off(const StretchBalls& edge, bool counter_clockwise, const BallVect
 }
 
 /// meet_in_joint_alone() as far as balls can tell: false means nothing. The joint is the end of
-/// `a`.
+/// `a`. Where the edges are tangent but for their last decimals, the second place is so near to
+/// the joint that what lies between them does not count.
 bool surely_meet_in_joint_alone(const StretchBalls& a, bool a_ccw, const StretchBalls& b,
                                 bool b_ccw) {
   if (a.is_line && b.is_line)
@@ -91,6 +92,9 @@ bool surely_meet_in_joint_alone(const StretchBalls& a, bool a_ccw, const Stretch
   if (!off) return false;
   const Ball twice = *off + *off;
   const BallVector second{joint.x + twice * axis.y, joint.y - twice * axis.x};
+  const BallVector between = second - joint;
+  static const Ball kMinute(Rational(kOffsetResolution) * Rational(kOffsetResolution) / 4);
+  if ((dot(between, between) - kMinute).sign() == -1) return true;
   return surely_off(a, a_ccw, second) || surely_off(b, b_ccw, second);
 }
 

@@ -25,8 +25,8 @@ struct LoopFault {
 /// them means anything for. Winding numbers tell: there are two of them, one inside the region and
 /// one outside. Loops may touch, at points and along edges. Exact, but that faces smaller than
 /// kOffsetResolution in both coordinates do not count: two loops that touch, in decimals.
-/// Loops whose edges stay clear of each other are told at some 3 µs an edge; where some come
-/// nearer than kClear an arrangement of all decides, at some 75 µs an edge.
+/// Loops whose edges stay clear of each other are told at some 4 µs an edge; where some come
+/// nearer than kClear an arrangement of all decides, at some 10 to 75 µs an edge.
 [[nodiscard]] std::optional<LoopFault> find_loop_fault(const std::vector<Chain>& loops);
 
 }  // namespace dgt
