@@ -22,8 +22,8 @@ QString kind_of(const DrawnLayer& layer, const DrawnPath& path, std::size_t curv
   const bool arc = layer.is_arc(curve);
   if (&layer == &path.rapids()) return Canvas::tr("rapid");
   if (&layer == &path.programmed())
-    return arc ? Canvas::tr("arc of the contour") : Canvas::tr("line of the contour");
-  return arc ? Canvas::tr("arc") : Canvas::tr("line");
+    return arc ? Canvas::tr("arc of the contour") : Canvas::tr("straight line of the contour");
+  return arc ? Canvas::tr("arc") : Canvas::tr("straight line");
 }
 
 }  // namespace
@@ -196,13 +196,11 @@ QString Canvas::hint() const {
     return tr("Measuring: click two places. Esc ends it.");
   }
   if (hover_) {
-    return tr("%1. Click: line %2 of the source. Ctrl+click: zoom in.")
+    return tr("%1. Click: line %2. Ctrl+click: zoom in.")
         .arg(describe(*hover_))
         .arg(hover_->layer->source(hover_->curve).line);
   }
-  return tr(
-      "Click: zoom in, right click: zoom out, drag: move, 0: all. "
-      "Space: a step, Shift+Space: back, Enter: run.");
+  return tr("Click: zoom in, right click: out. Drag: move. Space: step. Enter: run.");
 }
 
 }  // namespace dgt::studio

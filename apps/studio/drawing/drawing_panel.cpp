@@ -2,6 +2,7 @@
 #include "apps/studio/drawing/drawing_panel.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "apps/studio/drawing/elided_label.h"
@@ -18,11 +20,26 @@
 #include "apps/studio/drawing/scene_painter.h"
 #include "apps/studio/drawing/transport_bar.h"
 #include "apps/studio/language.h"
+#include "apps/studio/window/settings_store.h"
 
 namespace dgt::studio {
 namespace {
 
 constexpr double kButtonFactor = 1.5;
+constexpr int kAsMachine = -1;         // digits behind the point
+constexpr std::size_t kLarge = 20000;  // moves: more take a moment that can be felt
+const QString kDecimalsKey = QStringLiteral("drawing/decimals");
+
+constexpr std::array kShown = {&Shown::programmed, &Shown::rapids,     &Shown::tool,
+                               &Shown::kerf,       &Shown::directions, &Shown::points,
+                               &Shown::names,      &Shown::sizes,      &Shown::grid};
+/// Under which it is remembered.
+QString key_of(bool Shown::*what) {
+  constexpr std::array kKeys = {"programmed", "rapids", "tool",  "kerf", "directions",
+                                "points",     "names",  "sizes", "grid"};
+  const auto at = std::ranges::find(kShown, what) - kShown.begin();
+  return QStringLiteral("drawing/") + QString::fromLatin1(kKeys.at(static_cast<std::size_t>(at)));
+}
 
 QToolButton* button(QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -74,12 +91,16 @@ DrawingPanel::DrawingPanel(QWidget* parent)
 
   connect(canvas_, &Canvas::pointed_at, readout_, &Readout::show_pointer);
   connect(canvas_, &Canvas::pointed_away, readout_, &Readout::show_no_pointer);
-  connect(canvas_, &Canvas::hint_changed, this, [this] { hint_->setText(canvas_->hint()); });
+  connect(canvas_, &Canvas::hint_changed, this, &DrawingPanel::show_hint);
+  connect(&scenes_, &Background::busy_changed, this, &DrawingPanel::show_hint);
+  for (const Background* work : {&scenes_, &lengths_, &files_})
+    connect(work, &Background::failed, hint_, &QLabel::setText);
   connect(canvas_, &Canvas::place_chosen, this, &DrawingPanel::place_chosen);
   connect(canvas_, &Canvas::measuring_left, this, [this] { set_measuring(false); });
   connect(canvas_, &Canvas::settled, this, [this] {
     if (is_settled()) emit settled();
   });
+  canvas_->set_factor(readout_->factor());
   connect(readout_, &Readout::factor_changed, canvas_, &Canvas::set_factor);
   connect(&Appearance::of_program(), &Appearance::changed, this, &DrawingPanel::show_banner);
   retranslate();
@@ -113,9 +134,11 @@ void DrawingPanel::make_controls() {
 
 void DrawingPanel::make_show_menu() {
   show_menu_ = new QMenu(this);
-  for (bool Shown::*what :
-       {&Shown::programmed, &Shown::rapids, &Shown::tool, &Shown::kerf, &Shown::directions,
-        &Shown::points, &Shown::names, &Shown::sizes, &Shown::grid}) {
+  Shown remembered;
+  for (bool Shown::*what : kShown)
+    remembered.*what = SettingsStore().panel(key_of(what), remembered.*what).toBool();
+  canvas_->show_what(remembered);
+  for (bool Shown::*what : kShown) {
     QAction* action = show_menu_->addAction(QString());
     action->setCheckable(true);
     action->setChecked(canvas_->shown().*what);
@@ -123,10 +146,38 @@ void DrawingPanel::make_show_menu() {
       Shown all = canvas_->shown();
       all.*what = shown;
       show_what(all);
+      SettingsStore().set_panel(key_of(what), shown);
     });
     choices_.push_back({what, action});
   }
+  make_decimals_menu();
   show_button_->setMenu(show_menu_);
+}
+
+void DrawingPanel::make_decimals_menu() {
+  constexpr int kMost = 6;
+  decimals_ = SettingsStore().panel(kDecimalsKey, kAsMachine).toInt();
+  show_menu_->addSeparator();
+  decimals_menu_ = show_menu_->addMenu(QString());
+  auto* group = new QActionGroup(this);
+  for (int decimals = kAsMachine; decimals <= kMost; ++decimals) {
+    QAction* action = decimals_menu_->addAction(QString::number(decimals));
+    action->setCheckable(true);
+    action->setChecked(decimals == decimals_);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, decimals] {
+      decimals_ = decimals;
+      SettingsStore().set_panel(kDecimalsKey, decimals);
+      apply_decimals();
+    });
+  }
+}
+
+void DrawingPanel::apply_decimals() {
+  const int of_machine = decimals_of(part_ ? part_->settings : Settings{});
+  const int decimals = decimals_ < 0 ? of_machine : decimals_;
+  readout_->set_decimals(decimals);
+  canvas_->set_decimals(decimals);
 }
 
 void DrawingPanel::show_what(const Shown& shown) {
@@ -168,9 +219,7 @@ void DrawingPanel::show_part(PartPtr part) {
   canvas_->set_stale(!is_good);
   show_banner();
   if (!is_good) return;
-  const int decimals = decimals_of(part_->settings);
-  readout_->set_decimals(decimals);
-  canvas_->set_decimals(decimals);
+  apply_decimals();
   given_up_ = std::make_shared<std::atomic<bool>>(false);
   scenes_.ask([this, wanted = part_, given_up = given_up_]() -> Background::Outcome {
     const auto scene = make_scene(wanted, [given_up] { return given_up->load(); });
@@ -242,8 +291,16 @@ void DrawingPanel::retranslate() {
     return tr("&Grid and axes");
   };
   for (const Choice& choice : choices_) choice.action->setText(text(choice.what));
-  hint_->setText(canvas_->hint());
+  decimals_menu_->setTitle(tr("Digits &behind the point"));
+  decimals_menu_->actions().first()->setText(tr("As the &machine"));
+  show_hint();
   show_banner();
+}
+
+void DrawingPanel::show_hint() {
+  const bool is_large = part_ && part_->path() && part_->path()->moves.size() > kLarge;
+  hint_->setText(scenes_.is_busy() && is_large ? tr("The drawing is being prepared…")
+                                               : canvas_->hint());
 }
 
 void DrawingPanel::show_banner() {
@@ -266,10 +323,13 @@ QString DrawingPanel::first_error() const {
   if (found == all.end()) return {};
   const QString said =
       QString::fromStdString(text(found->message, found->arguments, message_language()));
-  const bool is_here = found->range.file == part_->compilation.file.get();
-  const QString where =
-      is_here ? QString() : QString::fromStdString(found->range.file->name()) + u' ';
-  return tr("%1line %2: %3").arg(where).arg(found->range.place().line).arg(said);
+  const std::uint32_t line = found->range.place().line;
+  if (found->range.file == part_->compilation.file.get())
+    return tr("Line %1: %2").arg(line).arg(said);
+  return tr("%1, line %2: %3")
+      .arg(QString::fromStdString(found->range.file->name()))
+      .arg(line)
+      .arg(said);
 }
 
 }  // namespace dgt::studio

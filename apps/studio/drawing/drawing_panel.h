@@ -71,6 +71,9 @@ class DrawingPanel : public QWidget {
 
   void make_controls();
   void make_show_menu();
+  void make_decimals_menu();
+  void apply_decimals();
+  void show_hint();
   void retranslate();
   void take_scene(ScenePtr scene);
   void show_what(const Shown& shown);
@@ -99,6 +102,8 @@ class DrawingPanel : public QWidget {
   QToolButton* measure_button_;
   QToolButton* save_button_;
   std::vector<Choice> choices_;
+  QMenu* decimals_menu_ = nullptr;
+  int decimals_ = -1;  ///< as chosen; negative: as the machine
 };
 
 }  // namespace dgt::studio

@@ -63,16 +63,8 @@
         <translation>дуга контура</translation>
     </message>
     <message>
-        <source>line of the contour</source>
-        <translation>отрезок контура</translation>
-    </message>
-    <message>
         <source>arc</source>
         <translation>дуга</translation>
-    </message>
-    <message>
-        <source>line</source>
-        <translation>отрезок</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -87,12 +79,20 @@
         <translation>Измерение: укажите два места. Esc — закончить.</translation>
     </message>
     <message>
-        <source>%1. Click: line %2 of the source. Ctrl+click: zoom in.</source>
-        <translation>%1. Щелчок: строка %2 программы. Ctrl+щелчок: увеличить.</translation>
+        <source>straight line of the contour</source>
+        <translation>отрезок контура</translation>
     </message>
     <message>
-        <source>Click: zoom in, right click: zoom out, drag: move, 0: all. Space: a step, Shift+Space: back, Enter: run.</source>
-        <translation>Щелчок: крупнее, правой кнопкой: мельче, тянуть: сдвиг, 0: всё. Пробел: шаг, Shift+Пробел: назад, Enter: пуск.</translation>
+        <source>straight line</source>
+        <translation>отрезок</translation>
+    </message>
+    <message>
+        <source>%1. Click: line %2. Ctrl+click: zoom in.</source>
+        <translation>%1. Щелчок: строка %2. Ctrl+щелчок: крупнее.</translation>
+    </message>
+    <message>
+        <source>Click: zoom in, right click: out. Drag: move. Space: step. Enter: run.</source>
+        <translation>Щелчок: крупнее, правый: мельче. Тянуть: сдвиг. Пробел: шаг. Enter: пуск.</translation>
     </message>
 </context>
 <context>
@@ -186,10 +186,6 @@
         <translation>Чертежа нет. %1</translation>
     </message>
     <message>
-        <source>%1line %2: %3</source>
-        <translation>%1строка %2: %3</translation>
-    </message>
-    <message>
         <source>Save the drawing</source>
         <translation>Сохранение чертежа</translation>
     </message>
@@ -200,6 +196,26 @@
     <message>
         <source>The name has to end in .png, .svg, .pdf or .dxf: it says what kind of drawing is written.</source>
         <translation>Имя должно кончаться на .png, .svg, .pdf или .dxf: так задаётся вид чертежа.</translation>
+    </message>
+    <message>
+        <source>Digits &amp;behind the point</source>
+        <translation>&amp;Знаков после точки</translation>
+    </message>
+    <message>
+        <source>As the &amp;machine</source>
+        <translation>&amp;Как у станка</translation>
+    </message>
+    <message>
+        <source>The drawing is being prepared…</source>
+        <translation>Чертёж готовится…</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Строка %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, строка %2: %3</translation>
     </message>
 </context>
 <context>

@@ -116,7 +116,7 @@ void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, con
         std::clamp(middle.x() - width / 2, 0.0, std::max(0.0, view.size.width() - width)),
         std::clamp(middle.y(), metrics.height(),
                    std::max(metrics.height(), view.size.height() - gap)));
-    paint_label(painter, base, text, look.colours.axes, look.colours.sheet);
+    paint_label(painter, base, text, look.colours.text, look.colours.sheet);
   };
   label({frame.center().x(), frame.top() - gap}, figure_text(box.width(), look.decimals));
   const QString height = figure_text(box.height(), look.decimals);

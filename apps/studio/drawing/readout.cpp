@@ -10,8 +10,14 @@
 #include <algorithm>
 
 #include "apps/studio/drawing/figure_text.h"
+#include "apps/studio/window/settings_store.h"
 
 namespace dgt::studio {
+namespace {
+
+const QString kFactorKey = QStringLiteral("drawing/factor");
+
+}  // namespace
 
 Readout::Readout(QWidget* parent)
     : QWidget(parent),
@@ -23,7 +29,7 @@ Readout::Readout(QWidget* parent)
   factor_->setRange(1.1, 100);
   factor_->setDecimals(1);
   factor_->setSingleStep(0.5);
-  factor_->setValue(2);
+  factor_->setValue(SettingsStore().panel(kFactorKey, 2.0).toDouble());
   factor_name_->setBuddy(factor_);
   told_->setWordWrap(true);
   for (QLabel* label : {x_, y_}) label->setTextFormat(Qt::PlainText);
@@ -42,7 +48,10 @@ Readout::Readout(QWidget* parent)
   column->setSpacing(2);
   column->addLayout(upper);
   column->addWidget(told_);
-  connect(factor_, &QDoubleSpinBox::valueChanged, this, &Readout::factor_changed);
+  connect(factor_, &QDoubleSpinBox::valueChanged, this, [this](double factor) {
+    SettingsStore().set_panel(kFactorKey, factor);
+    emit factor_changed(factor);
+  });
   retranslate();
 }
 
@@ -62,6 +71,8 @@ void Readout::set_decimals(int decimals) {
   decimals_ = decimals;
   refresh();
 }
+
+double Readout::factor() const { return factor_->value(); }
 
 void Readout::show_pointer(double x, double y) {
   pointer_ = {x, y};

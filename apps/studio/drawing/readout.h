@@ -24,6 +24,7 @@ class Readout : public QWidget {
   /// They take longer than a drawing, and come after it.
   void show_lengths(const std::optional<WayLengths>& lengths);
   void set_decimals(int decimals);
+  [[nodiscard]] double factor() const;
   [[nodiscard]] int decimals() const { return decimals_; }
 
  public slots:
