@@ -155,7 +155,7 @@ TEST_F(Editing, FindsGoesRoundAndReplacesAllInOneStep) {
   window->findChild<FindBar*>()->replace_all();
   EXPECT_EQ(text(), QStringLiteral("L1=Y0\nL2=Y10\nL3=Y0"));
   QTest::keyClick(sought, Qt::Key_Escape);
-  EXPECT_TRUE(window->editor().hasFocus());
+  EXPECT_TRUE(editor_has_keyboard());
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(text(), QStringLiteral("L1=X0\nL2=X10\nL3=Y0"));
 }

@@ -55,15 +55,15 @@ TEST_F(MainWindowOfTheGuide, EscOffersToExit) {
 TEST_F(MainWindowOfTheGuide, EscLeavesAPanelFirst) {
   press(Qt::Key_F7);
   EXPECT_TRUE(window->panels().is_shown(Panel::InternalForm));
-  EXPECT_FALSE(window->editor().hasFocus());
+  EXPECT_FALSE(editor_has_keyboard());
   press(Qt::Key_Escape);
   EXPECT_FALSE(window->panels().is_shown(Panel::InternalForm));
-  EXPECT_TRUE(window->editor().hasFocus());
+  EXPECT_TRUE(editor_has_keyboard());
   press(Qt::Key_F5);
-  EXPECT_FALSE(window->editor().hasFocus());
+  EXPECT_FALSE(editor_has_keyboard());
   press(Qt::Key_Escape);
   EXPECT_TRUE(window->panels().is_shown(Panel::Drawing));
-  EXPECT_TRUE(window->editor().hasFocus());
+  EXPECT_TRUE(editor_has_keyboard());
 }
 
 TEST_F(MainWindowOfTheGuide, AllOfItIsOnASmallScreen) {

@@ -37,6 +37,16 @@ class StudioWindow : public testing::Test {
     window->editor().setFocus();
   }
 
+  /// Behind a dialog no window is active; elsewhere the desktop sees to that.
+  void activate() {
+    if (QApplication::activeWindow() != nullptr) return;
+    window->activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
+  }
+  [[nodiscard]] bool editor_has_keyboard() {
+    activate();
+    return window->editor().hasFocus();
+  }
   /// Types at the cursor of the editor, line ends being Enter.
   void type(const QString& text) {
     for (const QChar c : text) {
@@ -48,11 +58,7 @@ class StudioWindow : public testing::Test {
     }
   }
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    if (QApplication::activeWindow() ==
-        nullptr) {  // behind a dialog; elsewhere the desktop does it
-      window->activateWindow();
-      ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-    }
+    activate();
     QWidget* focus = QApplication::activePopupWidget();
     if (focus == nullptr) focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr ? focus : window.get(), key, modifiers);

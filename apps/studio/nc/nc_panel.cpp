@@ -62,6 +62,7 @@ void NcPanel::lay_out() {
   why_->setWordWrap(true);
   why_->setAlignment(Qt::AlignCenter);
   editor_ = new SourceEditor(stack_);
+  setFocusProxy(editor_);
   stack_->addWidget(why_);
   stack_->addWidget(editor_);
   tabs_ = new QTabWidget(this);

@@ -22,8 +22,21 @@ void MainWindow::join_actions() {
   };
   on(a.start_new, [this] { documents_->start_new(); });
   on(a.open, [this] { documents_->open(); });
-  on(a.save, [this] { documents_->save(); });
-  on(a.save_as, [this] { documents_->save_as(); });
+  // Where one types, there one saves.
+  on(a.save, [this] {
+    if (panels_->has_keyboard(Panels::Panel::Nc)) {
+      panels_->nc->save();
+    } else {
+      documents_->save();
+    }
+  });
+  on(a.save_as, [this] {
+    if (panels_->has_keyboard(Panels::Panel::Nc)) {
+      panels_->nc->save_as();
+    } else {
+      documents_->save_as();
+    }
+  });
   on(a.read_tape, [this] { read_tape(); });
   on(a.punch_tape, [this] {
     const Document& document = documents_->document();
@@ -65,8 +78,10 @@ void MainWindow::join_actions() {
 
 void MainWindow::join_text_actions() {
   const Actions& a = *actions_;
+  // These keys mean the text; panels with the keyboard have their own use for them.
   const auto on = [this](QAction* action, auto act) {
-    addAction(action);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    centralWidget()->addAction(action);
     connect(action, &QAction::triggered, this, act);
   };
   on(a.undo, [this] { editor_->undo(); });

@@ -41,6 +41,7 @@ QDockWidget* Panels::add(Panel panel, const char* name, QWidget* content, Qt::Do
   auto* const dock = new QDockWidget(window_);
   dock->setObjectName(QString::fromLatin1(name) + QStringLiteral("_dock"));
   dock->setWidget(content);
+  dock->setFocusPolicy(Qt::ClickFocus);
   dock->installEventFilter(this);
   window_->addDockWidget(area, dock);
   docks_[static_cast<std::size_t>(panel)] = dock;
@@ -74,17 +75,24 @@ void Panels::show(Panel panel) {
   one->raise();
   if (one->isFloating()) one->activateWindow();
   one->widget()->setFocus(Qt::OtherFocusReason);
+  if (!has_keyboard(panel))
+    one->setFocus(Qt::OtherFocusReason);  // nothing in it wants it; Esc does
 }
 
 bool Panels::is_shown(Panel panel) const { return dock(panel)->isVisible(); }
 
+bool Panels::has_keyboard(Panel panel) const {
+  const QWidget* const focus = QApplication::focusWidget();
+  return focus != nullptr && (focus == dock(panel) || dock(panel)->isAncestorOf(focus));
+}
+
 bool Panels::leave() {
-  for (QDockWidget* const one : docks_) {
-    QWidget* const focus = QApplication::focusWidget();
-    if (focus == nullptr || (focus != one && !one->isAncestorOf(focus))) continue;
+  for (std::size_t i = 0; i < kPanels; ++i) {
+    const auto panel = static_cast<Panel>(i);
+    if (!has_keyboard(panel)) continue;
     const bool over_drawing =
-        one == dock(Panel::Nc) || one == dock(Panel::InternalForm) || one == dock(Panel::Points);
-    if (over_drawing || one->isFloating()) one->hide();
+        panel == Panel::Nc || panel == Panel::InternalForm || panel == Panel::Points;
+    if (over_drawing || dock(panel)->isFloating()) dock(panel)->hide();
     emit left();
     return true;
   }

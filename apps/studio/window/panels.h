@@ -36,6 +36,7 @@ class Panels : public QObject {
   void show(Panel panel);
   void hide(Panel panel) { dock(panel)->hide(); }
   [[nodiscard]] bool is_shown(Panel panel) const;
+  [[nodiscard]] bool has_keyboard(Panel panel) const;
   /// Esc: whether a panel had the keyboard. One that was opened over the drawing goes.
   bool leave();
   /// Where all of them stand when nobody has moved them.
