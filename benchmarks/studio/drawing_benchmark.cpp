@@ -62,7 +62,8 @@ void frame(benchmark::State& state) {
   const ScenePtr scene = scene_of(static_cast<int>(state.range(0)));
   SheetView view = SheetView::fitting(scene->path.box(), {1000, 800}, 0.05);
   view = view.zoomed(static_cast<double>(state.range(1)), {500, 400});
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(paint_picture(scene, view, look()));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(paint_picture(scene, view, look()));
 }
 
 /// A picture that is there already, moved by a pixel: what a window paints while it is panned.

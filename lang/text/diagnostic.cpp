@@ -12,7 +12,8 @@
 namespace dgt {
 namespace {
 
-constexpr std::array kMessages = {
+// No std::array that counts for itself: clang unfolds one element after the other, up to 256.
+constexpr MessageInfo kMessages[] = {
 #define DGT_DIAGNOSTIC(name, code, severity, english, russian) \
   MessageInfo{#name, code, Severity::severity, english, russian},
 #include "lang/text/diagnostics.def"
@@ -48,7 +49,7 @@ bool is_end(Message message) { return message == message_of_end(info(message).se
 
 }  // namespace
 
-const MessageInfo& info(Message message) { return kMessages.at(static_cast<std::size_t>(message)); }
+const MessageInfo& info(Message message) { return kMessages[static_cast<std::size_t>(message)]; }
 
 std::span<const MessageInfo> all_messages() { return kMessages; }
 

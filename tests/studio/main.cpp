@@ -3,9 +3,27 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
+#include <QDir>
 #include <QTemporaryDir>
 
 #include "tests/studio/doomed_window.h"
+
+namespace {
+
+/// No test finds what another has saved.
+class FreshHome : public testing::EmptyTestEventListener {
+ public:
+  explicit FreshHome(const QString& path) : path_(path) {}
+
+ private:
+  void OnTestStart(const testing::TestInfo&) override {
+    QDir(path_).removeRecursively();
+    QDir().mkpath(path_);
+  }
+  QString path_;
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -18,5 +36,6 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("dgt-studio"));
   if (qEnvironmentVariableIsSet("DGT_STUDIO_DOOMED")) return dgt::studio::live_until_killed();
   testing::InitGoogleMock(&argc, argv);
+  testing::UnitTest::GetInstance()->listeners().Append(new FreshHome(home.path()));  // theirs now
   return RUN_ALL_TESTS();
 }
