@@ -41,6 +41,7 @@ InternalForm::InternalForm(QWidget* parent)
       view_(new QListView(this)) {
   view_->setModel(&lines_);
   view_->setUniformItemSizes(true);
+  view_->setTextElideMode(Qt::ElideNone);
   view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   view_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   view_->installEventFilter(this);
@@ -80,6 +81,9 @@ void InternalForm::show_part(PartPtr part) {
   work_.ask([this, part = std::move(part)]() -> Background::Outcome {
     return [this, name = part->name, text = std::make_shared<const InternalText>(*part->path())] {
       name_ = name;
+      const QFontMetrics metrics = view_->fontMetrics();
+      const int columns = static_cast<int>(text->longest()) + 2;
+      lines_.set_size({columns * metrics.horizontalAdvance(u'0'), metrics.height()});
       lines_.show_text(text);
       emit settled();
     };

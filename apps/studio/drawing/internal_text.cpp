@@ -29,6 +29,7 @@ InternalText::InternalText(const Toolpath& path) : text_(to_text(path)) {
     sources_.push_back(tells_of_move ? path.moves[move++].source : SourcePlace{});
   }
   begins_.push_back(text_.size());
+  for (std::size_t i = 0; i < lines(); ++i) longest_ = std::max(longest_, line(i).size());
 }
 
 std::string_view InternalText::line(std::size_t i) const {
@@ -60,6 +61,8 @@ void InternalLines::light(const SourcePlace& line) {
   if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1), {Qt::BackgroundRole});
 }
 
+void InternalLines::set_size(QSize size) { size_ = size; }
+
 int InternalLines::rowCount(const QModelIndex& parent) const {
   return parent.isValid() || !text_ ? 0 : static_cast<int>(text_->lines());
 }
@@ -70,6 +73,7 @@ QVariant InternalLines::data(const QModelIndex& index, int role) const {
     const std::string_view line = text_->line(row);
     return QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size()));
   }
+  if (role == Qt::SizeHintRole) return size_;
   if (role == Qt::BackgroundRole && lit_.line > 0) {
     const SourcePlace place = text_->source(row);
     if (place.line == lit_.line && place.file == lit_.file) return colours().current_line;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QSize>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,7 +19,8 @@ class InternalText {
 
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] std::size_t lines() const { return begins_.size() - 1; }
-  [[nodiscard]] std::string_view line(std::size_t i) const;  ///< without its end
+  [[nodiscard]] std::size_t longest() const { return longest_; }  ///< line, in bytes
+  [[nodiscard]] std::string_view line(std::size_t i) const;       ///< without its end
   /// Where the move of a line was asked for; line 0: it tells of none, or of one that nobody asked
   /// for.
   [[nodiscard]] SourcePlace source(std::size_t line) const { return sources_[line]; }
@@ -32,6 +34,7 @@ class InternalText {
   std::string text_;
   std::vector<std::size_t> begins_;  ///< of lines, and the end
   std::vector<SourcePlace> sources_;
+  std::size_t longest_ = 0;
 };
 
 /// Shows the lines: any number of them, since only those in view are looked at.
@@ -42,6 +45,7 @@ class InternalLines : public QAbstractListModel {
   using QAbstractListModel::QAbstractListModel;
   void show_text(std::shared_ptr<const InternalText> text);
   void light(const SourcePlace& line);  ///< of it the line counts
+  void set_size(QSize size);            ///< of every line, in pixels
   [[nodiscard]] const InternalText* text() const { return text_.get(); }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -50,6 +54,7 @@ class InternalLines : public QAbstractListModel {
  private:
   std::shared_ptr<const InternalText> text_;
   SourcePlace lit_;
+  QSize size_;
 };
 
 }  // namespace dgt::studio

@@ -3,6 +3,7 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <optional>
 
 #include "apps/studio/drawing/figure_text.h"
 
@@ -17,6 +18,84 @@ void paint_head(QPainter& painter, QPointF middle, QPointF along, double size) {
   const QPointF foot = middle - 0.5 * size * along;
   painter.drawPolygon(QPolygonF{tip, foot + 0.4 * size * across, foot - 0.4 * size * across});
 }
+
+/// Dots and numbers. In a crowd only what finds room for its number is marked: dots alone would
+/// hide the drawing and tell nothing.
+class PointsPainter {
+ public:
+  PointsPainter(QPainter& painter, const SheetView& view, const Look& look, LabelSpace& space)
+      : painter_(painter),
+        look_(look),
+        view_(view),
+        space_(space),
+        metrics_(painter.font(), painter.device()),
+        radius_(2.5 * look.pixel),
+        window_(view.window(radius_)) {}
+
+  void paint(const DrawnPath& path) {
+    constexpr std::size_t kCrowd = 1500;
+    std::size_t count = 0;
+    visit(path, [&](DrawnPlace, std::size_t) { ++count; });
+    crowded_ = count > kCrowd;
+    visit(path, [&](DrawnPlace place, std::size_t number) { mark(place, number); });
+  }
+
+ private:
+  /// Calls `point(place, number)` for the points in the window; of moves too short to be seen for
+  /// none.
+  template <class Visit>
+  void visit(const DrawnPath& path, Visit&& point) const {
+    if (is_seen(path.start())) point(path.start(), 1);
+    const double small = 2 * radius_ / view_.scale;
+    for (const DrawnLayer* layer : {&path.cuts(), &path.rapids()}) {
+      const auto curve = [&](std::size_t i) {
+        const DrawnPlace end = layer->end_of(i);
+        if (is_seen(end)) point(end, path.step_of(layer->number(i)) + 2);
+      };
+      layer->visit(window_, small, curve, [](std::size_t, std::size_t) {});
+    }
+  }
+  [[nodiscard]] bool is_seen(DrawnPlace place) const {
+    return overlap(window_, {place.x, place.y, place.x, place.y});
+  }
+
+  void mark(DrawnPlace place, std::size_t number) {
+    const QPointF at = view_.pixel(place);
+    const QString text = QString::number(number);
+    const auto base = room_for(at, text);
+    if (!base && crowded_) return;
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(look_.colours.points);
+    painter_.drawEllipse(at, radius_, radius_);
+    if (base) paint_label(painter_, *base, text, look_.colours.points, look_.colours.sheet);
+  }
+
+  std::optional<QPointF> room_for(QPointF at, const QString& text) {
+    const double gap = 2 * radius_;
+    const QSizeF size(metrics_.horizontalAdvance(text), metrics_.ascent());
+    const double right = at.x() + gap;
+    const double left = at.x() - gap - size.width();
+    const double above = at.y() - gap;
+    const double below = at.y() + gap + size.height();
+    for (const QPointF base : {QPointF(right, above), QPointF(left, above), QPointF(right, below),
+                               QPointF(left, below)}) {
+      const QRectF letters(base - QPointF(0, size.height()), size);
+      if (!space_.is_free(letters)) continue;
+      space_.take(letters);
+      return base;
+    }
+    return std::nullopt;
+  }
+
+  QPainter& painter_;
+  const Look& look_;
+  const SheetView& view_;
+  LabelSpace& space_;
+  QFontMetricsF metrics_;
+  double radius_;
+  Box window_;
+  bool crowded_ = false;
+};
 
 }  // namespace
 
@@ -52,47 +131,11 @@ void paint_directions(QPainter& painter, const SheetView& view, const Look& look
 
 void paint_points(QPainter& painter, const SheetView& view, const Look& look, const DrawnPath& path,
                   LabelSpace& space) {
-  const QFontMetricsF metrics(painter.font(), painter.device());
-  const double radius = 2.5 * look.pixel;
-  const double gap = 2 * radius;
-  const auto paint = [&](DrawnPlace place, std::size_t number) {
-    const QPointF at = view.pixel(place);
-    const QRectF dot(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(look.colours.points);
-    painter.drawEllipse(dot);
-    const QString text = QString::number(number);
-    const QSizeF size(metrics.horizontalAdvance(text), metrics.ascent());
-    const double right = at.x() + gap;
-    const double left = at.x() - gap - size.width();
-    const double above = at.y() - gap;
-    const double below = at.y() + gap + size.height();
-    for (const QPointF base : {QPointF(right, above), QPointF(left, above), QPointF(right, below),
-                               QPointF(left, below)}) {
-      const QRectF letters(base - QPointF(0, size.height()), size);
-      if (!space.is_free(letters)) continue;
-      space.take(letters);
-      paint_label(painter, base, text, look.colours.points, look.colours.sheet);
-      return;
-    }
-  };
-  const Box window = view.window(radius);
-  if (overlap(window, {path.start().x, path.start().y, path.start().x, path.start().y}))
-    paint(path.start(), 1);
-  const double small = 2 * radius / view.scale;
-  for (const DrawnLayer* layer : {&path.cuts(), &path.rapids()}) {
-    layer->visit(
-        window, small,
-        [&](std::size_t i) {
-          const DrawnPlace end = layer->end_of(i);
-          if (!overlap(window, {end.x, end.y, end.x, end.y})) return;
-          paint(end, path.step_of(layer->number(i)) + 2);
-        },
-        [](std::size_t, std::size_t) {});
-  }
+  PointsPainter(painter, view, look, space).paint(path);
 }
 
-void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, const Box& box) {
+void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, const Box& box,
+                 LabelSpace& space) {
   if (box.empty()) return;
   const QFontMetricsF metrics(painter.font(), painter.device());
   const QPointF lower = view.pixel({box.left, box.bottom});
@@ -116,6 +159,7 @@ void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, con
         std::clamp(middle.x() - width / 2, 0.0, std::max(0.0, view.size.width() - width)),
         std::clamp(middle.y(), metrics.height(),
                    std::max(metrics.height(), view.size.height() - gap)));
+    space.take({base.x(), base.y() - metrics.ascent(), width, metrics.ascent()});
     paint_label(painter, base, text, look.colours.text, look.colours.sheet);
   };
   label({frame.center().x(), frame.top() - gap}, figure_text(box.width(), look.decimals));

@@ -20,7 +20,8 @@ void paint_points(QPainter& painter, const SheetView& view, const Look& look, co
 void paint_names(QPainter& painter, const SheetView& view, const Look& look,
                  const std::vector<NamedShape>& names, LabelSpace& space);
 /// The box around the part, with its width and height in mm.
-void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, const Box& box);
+void paint_sizes(QPainter& painter, const SheetView& view, const Look& look, const Box& box,
+                 LabelSpace& space);
 /// Where the tool stands before the first move.
 void paint_start(QPainter& painter, const SheetView& view, const Look& look, DrawnPlace start);
 

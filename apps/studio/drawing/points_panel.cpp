@@ -65,7 +65,10 @@ void PointsPanel::show_part(PartPtr part) {
   work_.ask([this, part = std::move(part)]() -> Background::Outcome {
     auto points = std::make_shared<std::vector<ControlPoint>>(control_points(*part->path()));
     return [this, points] {
+      const bool has_heights =
+          std::ranges::any_of(*points, [](const auto& p) { return p.z.has_value(); });
       model_.show_points(std::move(*points));
+      table_->setColumnHidden(PointsModel::Height, !has_heights);
       table_->resizeColumnsToContents();
       show_count();
       emit settled();

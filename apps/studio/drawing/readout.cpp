@@ -134,6 +134,8 @@ QString Readout::lengths_text() const {
     parts << tr("Part %1 × %2 mm")
                  .arg(figure_text(part_.width(), decimals_))
                  .arg(figure_text(part_.height(), decimals_));
+  // A line ends between two of them, never within.
+  for (QString& part : parts) part.replace(u' ', QChar::Nbsp);
   return parts.join(QStringLiteral("    "));
 }
 

@@ -107,7 +107,7 @@ void paint_scene(QPainter& painter, const Scene& scene, const SheetView& view, c
   work.way(path, 0, look.run_to, false);
   if (look.lit.line > 0) work.lit(path);
   if (look.shown.directions) paint_directions(painter, view, look, path);
-  if (look.shown.sizes) paint_sizes(painter, view, look, path.part_box());
+  if (look.shown.sizes) paint_sizes(painter, view, look, path.part_box(), space);
   if (look.shown.points) paint_points(painter, view, look, path, space);
   if (look.shown.names) paint_names(painter, view, look, scene.names, space);
   paint_start(painter, view, look, path.start());
