@@ -119,10 +119,11 @@ TEST(DrawingLooks, ANameThatTellsNoKindOfDrawingIsRefused) {
   answer_with(QString::fromStdString(folder.name("drawing.doc")));
   QString said;
   QTimer::singleShot(50, [&said] {
-    QTest::qWaitFor(
-        [&] { return qobject_cast<QMessageBox*>(QApplication::activeModalWidget()) != nullptr; });
-    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    ASSERT_NE(box, nullptr);
+    QMessageBox* box = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+      box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      return box != nullptr;
+    }));
     said = box->text();
     box->accept();
   });

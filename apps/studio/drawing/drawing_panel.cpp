@@ -279,7 +279,7 @@ void DrawingPanel::retranslate() {
   canvas_->setAccessibleDescription(
       tr("Space steps the tool, Shift+Space steps back, Enter runs it, plus and minus zoom, the "
          "arrows move the drawing, 0 shows the whole part."));
-  const auto text = [this](bool Shown::*what) {
+  const auto name_of = [](bool Shown::*what) {
     if (what == &Shown::programmed) return tr("&Programmed contour");
     if (what == &Shown::rapids) return tr("&Rapid moves");
     if (what == &Shown::tool) return tr("&Tool");
@@ -290,7 +290,7 @@ void DrawingPanel::retranslate() {
     if (what == &Shown::sizes) return tr("&Sizes of the part");
     return tr("&Grid and axes");
   };
-  for (const Choice& choice : choices_) choice.action->setText(text(choice.what));
+  for (const Choice& choice : choices_) choice.action->setText(name_of(choice.what));
   decimals_menu_->setTitle(tr("Digits &behind the point"));
   decimals_menu_->actions().first()->setText(tr("As the &machine"));
   show_hint();
