@@ -5,15 +5,16 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QFile>
+#include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
-#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -315,6 +316,26 @@ TEST(NcPanel, SavingWritesTheCommandsBytes) {
   ASSERT_TRUE(nc.panel.save_to(file));
   EXPECT_EQ(*read_file(file.toStdString()),
             support::run_dgt({"compile", corpus("1P.bgt"), "--post", "linuxcnc"}).out);
+}
+
+TEST(NcPanel, CtrlSInTheTextAsksForTheNameThenSavesUnderIt) {
+  QTemporaryDir folder;
+  OpenNc nc;
+  nc.write(part_of(corpus("1P.bgt")), "essi");
+  nc.type_behind(QStringLiteral("53"), QStringLiteral("0"));
+  EXPECT_TRUE(nc.panel.has_unsaved_edits());
+  QTest::keyClick(&nc.editor(), Qt::Key_S, Qt::ControlModifier);
+  auto* const dialog = nc.panel.findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  auto* const name = dialog->findChild<QLineEdit*>();
+  EXPECT_EQ(QFileInfo(name->text()).fileName(), QStringLiteral("1P.ess"));
+  name->setText(folder.filePath(QStringLiteral("mine.ess")));  // typed, its completer pops up
+  QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save),
+                    Qt::LeftButton);
+  const auto saved = read_file(folder.filePath(QStringLiteral("mine.ess")).toStdString());
+  ASSERT_TRUE(saved) << saved.error().text();
+  EXPECT_EQ(*saved, nc.panel.program().toStdString());
+  EXPECT_FALSE(nc.panel.has_unsaved_edits());
 }
 
 TEST(NcPanel, AFileThatCannotBeWrittenIsTold) {

@@ -30,6 +30,8 @@ namespace dgt::studio {
 namespace {
 
 constexpr int kQuietBeforeReading = 400;  // ms without a key
+constexpr int kTextLines = 40;            // to so many of messages, as far as there is room
+constexpr int kMessageLines = 13;
 const auto kOverwrite = QStringLiteral("overwrite");
 
 InputLanguage ink_language(const Dialect& dialect) {
@@ -63,6 +65,7 @@ void NcPanel::lay_out() {
   why_->setAlignment(Qt::AlignCenter);
   editor_ = new SourceEditor(stack_);
   setFocusProxy(editor_);
+  editor_->installEventFilter(this);
   stack_->addWidget(why_);
   stack_->addWidget(editor_);
   tabs_ = new QTabWidget(this);
@@ -73,8 +76,9 @@ void NcPanel::lay_out() {
   auto* split = new QSplitter(Qt::Vertical, this);
   split->addWidget(stack_);
   split->addWidget(tabs_);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 1);
+  split->setStretchFactor(0, 1);
+  const int lines = fontMetrics().lineSpacing();
+  split->setSizes({lines * kTextLines, lines * kMessageLines});
   split->setChildrenCollapsible(false);
   auto* column = new QVBoxLayout(this);
   const int margin = fontMetrics().height() / 4;

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -183,7 +184,6 @@ void NcPanel::save() {
 void NcPanel::save_as() {
   if (!written_ || !written_->exists()) return;
   auto* dialog = new QFileDialog(this, tr("Save the NC program"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const QString extension = QString::fromLatin1(extension_of(written_->settings().dialect)).mid(1);
   dialog->setNameFilters({tr("NC programs (*.%1)").arg(extension), tr("All files (*)")});
@@ -191,9 +191,21 @@ void NcPanel::save_as() {
   const QFileInfo suggested(suggested_name());
   dialog->setDirectory(suggested.path());
   dialog->selectFile(suggested.fileName());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& file) { (void)save_to(file); });
   dialog->open();
+}
+
+// While the NC text has the focus, the key that saves means it and not the source.
+bool NcPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_key =
+      event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (!is_key || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Save))
+    return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::KeyPress) save();
+  event->accept();
+  return true;
 }
 
 bool NcPanel::save_to(const QString& file) {

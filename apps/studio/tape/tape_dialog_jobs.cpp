@@ -87,7 +87,9 @@ void TapeDialog::show_encoded(const std::shared_ptr<ProgramOnTape>& made) {
   from_->setValue(1);
   if (rows_.empty()) {
     tabs_->setCurrentWidget(faults_);
-    tell(tr("This cannot be punched; the messages say why."), true);
+    tell(tr("This cannot be punched; the messages say why. Unknown characters can be left out, or "
+            "spelled in Latin letters."),
+         true);
   } else {
     tell(tr("%1 rows, %2 mm of tape.").arg(rows_.size()).arg(qt(millimetres_to(rows_.size()))),
          false);

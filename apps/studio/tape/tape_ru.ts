@@ -218,10 +218,6 @@
         <translation>Надпись и контрольная сумма стоят до строки %; началом должна быть она.</translation>
     </message>
     <message>
-        <source>This cannot be punched; the messages say why.</source>
-        <translation>Это пробить нельзя; почему — в сообщениях.</translation>
-    </message>
-    <message>
         <source>%1 rows, %2 mm of tape.</source>
         <translation>Строк %1, %2 мм ленты.</translation>
     </message>
@@ -296,6 +292,10 @@
     <message>
         <source>Damaged places: %1; the messages say where.</source>
         <translation>Повреждений: %1; где — в сообщениях.</translation>
+    </message>
+    <message>
+        <source>This cannot be punched; the messages say why. Unknown characters can be left out, or spelled in Latin letters.</source>
+        <translation>Это пробить нельзя; почему — в сообщениях. Чужие знаки можно пропустить или записать латиницей.</translation>
     </message>
 </context>
 <context>
