@@ -2,11 +2,15 @@
 // Languages, themes and files of the drawing.
 #include <gmock/gmock.h>
 
+#include <QAction>
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QTimer>
 #include <QToolButton>
 
@@ -82,6 +86,24 @@ TEST(DrawingLooks, ThemesChangeTheSheetAtOnce) {
       sheet += image.pixelColor(x, 3) == standard_colours(theme).sheet ? 1 : 0;
     EXPECT_GT(sheet, image.width() / 2);
   }
+}
+
+TEST(DrawingLooks, WhatIsShownAndTheFactorAreRememberedForTheNextWindow) {
+  {
+    ShownPanel first(part_of(kRectangle));
+    for (QAction* action : first.panel.show_menu().actions()) {
+      if (action->text().contains(QStringLiteral("Kerf"))) action->trigger();
+    }
+    for (auto* box : first.panel.findChildren<QDoubleSpinBox*>()) {
+      if (box->prefix().startsWith(u'×')) box->setValue(5);
+    }
+  }
+  ShownPanel second(part_of(kRectangle));
+  EXPECT_TRUE(second.canvas().shown().kerf);
+  EXPECT_TRUE(second.canvas().shown().programmed) << "as before";
+  const double scale = second.canvas().view().scale;
+  QTest::mouseClick(&second.canvas(), Qt::LeftButton, {}, second.pixel(20, 10));
+  EXPECT_DOUBLE_EQ(second.canvas().view().scale, 5 * scale);
 }
 
 /// Types a name into the file dialog that comes up.

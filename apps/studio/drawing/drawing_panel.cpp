@@ -1,46 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/studio/drawing/drawing_panel.h"
 
-#include <QAction>
-#include <QActionGroup>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "apps/studio/drawing/elided_label.h"
 #include "apps/studio/drawing/glyphs.h"
-#include "apps/studio/drawing/grid_painter.h"
 #include "apps/studio/drawing/readout.h"
 #include "apps/studio/drawing/scene_painter.h"
 #include "apps/studio/drawing/transport_bar.h"
 #include "apps/studio/language.h"
-#include "apps/studio/window/settings_store.h"
 
 namespace dgt::studio {
 namespace {
 
 constexpr double kButtonFactor = 1.5;
-constexpr int kAsMachine = -1;         // digits behind the point
 constexpr std::size_t kLarge = 20000;  // moves: more take a moment that can be felt
-const QString kDecimalsKey = QStringLiteral("drawing/decimals");
-
-constexpr std::array kShown = {&Shown::programmed, &Shown::rapids,     &Shown::tool,
-                               &Shown::kerf,       &Shown::directions, &Shown::points,
-                               &Shown::names,      &Shown::sizes,      &Shown::grid};
-/// Under which it is remembered.
-QString key_of(bool Shown::*what) {
-  constexpr std::array kKeys = {"programmed", "rapids", "tool",  "kerf", "directions",
-                                "points",     "names",  "sizes", "grid"};
-  const auto at = std::ranges::find(kShown, what) - kShown.begin();
-  return QStringLiteral("drawing/") + QString::fromLatin1(kKeys.at(static_cast<std::size_t>(at)));
-}
-
 QToolButton* button(QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setAutoRaise(true);
@@ -132,67 +112,6 @@ void DrawingPanel::make_controls() {
   connect(save_button_, &QToolButton::clicked, this, &DrawingPanel::save_picture);
 }
 
-void DrawingPanel::make_show_menu() {
-  show_menu_ = new QMenu(this);
-  Shown remembered;
-  for (bool Shown::*what : kShown)
-    remembered.*what = SettingsStore().panel(key_of(what), remembered.*what).toBool();
-  canvas_->show_what(remembered);
-  for (bool Shown::*what : kShown) {
-    QAction* action = show_menu_->addAction(QString());
-    action->setCheckable(true);
-    action->setChecked(canvas_->shown().*what);
-    connect(action, &QAction::toggled, this, [this, what](bool shown) {
-      Shown all = canvas_->shown();
-      all.*what = shown;
-      show_what(all);
-      SettingsStore().set_panel(key_of(what), shown);
-    });
-    choices_.push_back({what, action});
-  }
-  make_decimals_menu();
-  show_button_->setMenu(show_menu_);
-}
-
-void DrawingPanel::make_decimals_menu() {
-  constexpr int kMost = 6;
-  decimals_ = SettingsStore().panel(kDecimalsKey, kAsMachine).toInt();
-  show_menu_->addSeparator();
-  decimals_menu_ = show_menu_->addMenu(QString());
-  auto* group = new QActionGroup(this);
-  for (int decimals = kAsMachine; decimals <= kMost; ++decimals) {
-    QAction* action = decimals_menu_->addAction(QString::number(decimals));
-    action->setCheckable(true);
-    action->setChecked(decimals == decimals_);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, decimals] {
-      decimals_ = decimals;
-      SettingsStore().set_panel(kDecimalsKey, decimals);
-      apply_decimals();
-    });
-  }
-}
-
-void DrawingPanel::apply_decimals() {
-  const int of_machine = decimals_of(part_ ? part_->settings : Settings{});
-  const int decimals = decimals_ < 0 ? of_machine : decimals_;
-  readout_->set_decimals(decimals);
-  canvas_->set_decimals(decimals);
-}
-
-void DrawingPanel::show_what(const Shown& shown) {
-  const bool was = canvas_->shown().programmed;
-  canvas_->show_what(shown);
-  for (const Choice& choice : choices_) choice.action->setChecked(shown.*choice.what);
-  if (was != shown.programmed) emit programmed_shown(shown.programmed);
-}
-
-void DrawingPanel::show_programmed(bool shown) {
-  Shown all = canvas_->shown();
-  all.programmed = shown;
-  show_what(all);
-}
-
 void DrawingPanel::set_measuring(bool measuring) {
   measure_button_->setChecked(measuring);
   if (canvas_->is_measuring() != measuring) canvas_->set_measuring(measuring);
@@ -279,20 +198,7 @@ void DrawingPanel::retranslate() {
   canvas_->setAccessibleDescription(
       tr("Space steps the tool, Shift+Space steps back, Enter runs it, plus and minus zoom, the "
          "arrows move the drawing, 0 shows the whole part."));
-  const auto name_of = [](bool Shown::*what) {
-    if (what == &Shown::programmed) return tr("&Programmed contour");
-    if (what == &Shown::rapids) return tr("&Rapid moves");
-    if (what == &Shown::tool) return tr("&Tool");
-    if (what == &Shown::kerf) return tr("&Kerf");
-    if (what == &Shown::directions) return tr("&Directions");
-    if (what == &Shown::points) return tr("&Control points");
-    if (what == &Shown::names) return tr("&Elements and their names");
-    if (what == &Shown::sizes) return tr("&Sizes of the part");
-    return tr("&Grid and axes");
-  };
-  for (const Choice& choice : choices_) choice.action->setText(name_of(choice.what));
-  decimals_menu_->setTitle(tr("Digits &behind the point"));
-  decimals_menu_->actions().first()->setText(tr("As the &machine"));
+  retranslate_menu();
   show_hint();
   show_banner();
 }

@@ -75,6 +75,7 @@ class DrawingPanel : public QWidget {
   void apply_decimals();
   void show_hint();
   void retranslate();
+  void retranslate_menu();
   void take_scene(ScenePtr scene);
   void show_what(const Shown& shown);
   void show_banner();
