@@ -65,7 +65,9 @@ void NcPanel::collect_messages() {
     for (Fault& fault : faults_of(read_->compilation, message_language()))
       told_.push_back(std::move(fault));
   }
-  for (Fault& fault : foreign_letters(*editor_->document())) told_.push_back(std::move(fault));
+  if (is_edited()) {  // what is written has none
+    for (Fault& fault : foreign_letters(*editor_->document())) told_.push_back(std::move(fault));
+  }
   show_faults();
 }
 
