@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "post/dgt_contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dgt {
+namespace {
+
+/// Directions that differ by less are one: rounding leaves far less, and no corner is so flat.
+/// Unit: radians.
+constexpr double kTangent = 1e-6;
+
+struct Heading {
+  double x = 0;
+  double y = 0;
+};
+
+Heading heading(const Move& move, const Point& at) {
+  double x = move.to.x() - move.from.x();
+  double y = move.to.y() - move.from.y();
+  if (move.kind == MoveKind::Arc) {
+    const Circle circle = move.circle();
+    const double turn = circle.counter_clockwise() ? 1 : -1;
+    x = -turn * (at.y() - nearest_double(circle.centre().y));
+    y = turn * (at.x() - nearest_double(circle.centre().x));
+  }
+  const double length = std::hypot(x, y);
+  return {x / length, y / length};
+}
+
+/// Whether the second goes on in the direction of the first.
+bool is_smooth(const Move& first, const Move& second) {
+  const Heading a = heading(first, first.to);
+  const Heading b = heading(second, first.to);
+  return std::fabs(a.x * b.y - a.y * b.x) <= kTangent && a.x * b.x + a.y * b.y > 0;
+}
+
+RationalPoint place_along(const Move& arc, double part) {
+  const Circle circle = arc.circle();
+  const double cx = nearest_double(circle.centre().x);
+  const double cy = nearest_double(circle.centre().y);
+  const double degrees = sweep_degrees(arc) * part;
+  const double angle =
+      std::atan2(arc.from.y() - cy, arc.from.x() - cx) + degrees * std::acos(-1.0) / 180;
+  const double radius = std::fabs(nearest_double(circle.radius()));
+  return {dgt_number(Rational(cx + radius * std::cos(angle))),
+          dgt_number(Rational(cy + radius * std::sin(angle)))};
+}
+
+RationalPoint circumcentre(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  const Vector u = b - a;
+  const Vector v = c - a;
+  const Rational turn = 2 * cross(u, v);
+  const Rational uu = squared_length(u);
+  const Rational vv = squared_length(v);
+  return {a.x + (v.y * uu - u.y * vv) / turn, a.y + (u.x * vv - v.x * uu) / turn};
+}
+
+/// A cut of the contour as it is written.
+struct Leg {
+  const Move* move = nullptr;
+  RationalPoint from;
+  RationalPoint to;
+  std::string name;      ///< of its element; empty for a fillet
+  RationalPoint centre;  ///< of a circle, as it is defined
+  bool fillet = false;   ///< said as R between its neighbours
+
+  [[nodiscard]] bool is_line() const { return move->kind == MoveKind::Line; }
+  [[nodiscard]] bool ccw() const { return move->circle().counter_clockwise(); }
+};
+
+class ContourItems {
+ public:
+  ContourItems(std::span<const Move> moves, bool closed, DgtStyle style, DgtNames& names)
+      : closed_(closed), style_(style), names_(names) {
+    for (const Move& move : moves) {
+      if (!move.cuts()) {
+        only_cuts_ = false;
+        continue;
+      }
+      legs_.push_back({&move, dgt_place(move.from), dgt_place(move.to), "", {}, false});
+    }
+  }
+
+  std::optional<std::vector<std::string>> run() {
+    if (!only_cuts_ || !can_be_named()) return std::nullopt;
+    if (style_ != DgtStyle::Through) find_fillets();
+    for (std::size_t i = 0; i < legs_.size(); ++i)
+      if (!legs_[i].is_line()) name_circle(legs_[i]);
+    for (std::size_t i = 0; i < legs_.size(); ++i)
+      if (legs_[i].is_line()) name_line(i);
+    return in_order();
+  }
+
+ private:
+  [[nodiscard]] bool can_be_named() const {
+    return std::ranges::none_of(legs_, [](const Leg& leg) {
+      return leg.from == leg.to && !leg.move->full_circle;  // rounded to nothing
+    });
+  }
+
+  /// The leg before, or behind; null at the ends of an open contour.
+  [[nodiscard]] const Leg* before(std::size_t i) const {
+    if (i > 0) return &legs_[i - 1];
+    return closed_ && legs_.size() > 1 ? &legs_.back() : nullptr;
+  }
+  [[nodiscard]] const Leg* behind(std::size_t i) const {
+    if (i + 1 < legs_.size()) return &legs_[i + 1];
+    return closed_ && legs_.size() > 1 ? &legs_.front() : nullptr;
+  }
+  [[nodiscard]] bool is_tangent_before(std::size_t i) const {
+    const Leg* const other = before(i);
+    return other != nullptr && is_smooth(*other->move, *legs_[i].move);
+  }
+  [[nodiscard]] bool is_tangent_behind(std::size_t i) const {
+    const Leg* const other = behind(i);
+    return other != nullptr && is_smooth(*legs_[i].move, *other->move);
+  }
+
+  /// Arcs of less than half a turn between two lines that they touch. Where a closed contour begins
+  /// none is: it is met there.
+  void find_fillets() {
+    for (std::size_t i = 1; i + 1 < legs_.size(); ++i) {
+      Leg& leg = legs_[i];
+      if (leg.is_line() || !legs_[i - 1].is_line() || !legs_[i + 1].is_line()) continue;
+      leg.fillet = is_tangent_before(i) && is_tangent_behind(i) && half_turn_order(*leg.move) < 0 &&
+                   !leg.move->full_circle;
+    }
+  }
+
+  void name_circle(Leg& leg) {
+    if (leg.fillet) return;
+    const Circle circle = leg.move->circle();
+    leg.centre = {dgt_number(circle.centre().x), dgt_number(circle.centre().y)};
+    const Rational radius = dgt_number(abs(circle.radius()));
+    const bool is_exact = squared_length(leg.from - leg.centre) == radius * radius;
+    if (leg.move->full_circle ? is_exact : style_ != DgtStyle::Through) {
+      leg.name = names_.circle(leg.centre, radius, leg.ccw());
+      return;
+    }
+    const bool whole = leg.move->full_circle;
+    const RationalPoint middle = place_along(*leg.move, whole ? 1.0 / 3 : 0.5);
+    const RationalPoint last = whole ? place_along(*leg.move, 2.0 / 3) : leg.to;
+    leg.name = names_.circle_through(leg.from, middle, last, leg.ccw());
+    leg.centre = circumcentre(leg.from, middle, last);
+  }
+
+  /// The name of the circle that the line touches on that side, by which it may be defined.
+  [[nodiscard]] const std::string* touched(const Leg* other, bool is_tangent) const {
+    if (style_ == DgtStyle::Through || !is_tangent || other == nullptr || other->is_line() ||
+        other->fillet)
+      return nullptr;
+    return &other->name;
+  }
+
+  static std::string turned(const std::string& name) {
+    return name[1] == '-' ? name[0] + name.substr(2) : name[0] + ("-" + name.substr(1));
+  }
+
+  void name_line(std::size_t i) {
+    Leg& leg = legs_[i];
+    const std::string* const first = touched(before(i), is_tangent_before(i));
+    const std::string* const last = touched(behind(i), is_tangent_behind(i));
+    const bool is_level = leg.from.x == leg.to.x || leg.from.y == leg.to.y;
+    if (is_level || (first == nullptr && last == nullptr)) {
+      leg.name = names_.line(leg.from, leg.to);
+    } else if (first != nullptr && last != nullptr) {
+      leg.name = names_.by_form('L', *first + " " + *last);
+    } else if (last != nullptr) {
+      leg.name = names_.by_form('L', dgt_coordinates(leg.from) + " " + *last);
+    } else {  // from the point to its contact, then the other way
+      leg.name = turned(names_.by_form('L', dgt_coordinates(leg.to) + " " + turned(*first)));
+    }
+  }
+
+  // --- joints
+
+  /// The direction in which the leg passes one of its ends.
+  static Vector direction_at(const Leg& leg, const RationalPoint& at) {
+    if (leg.is_line()) return leg.to - leg.from;
+    const Vector out = at - leg.centre;
+    return leg.ccw() ? turned_left(out) : turned_right(out);
+  }
+
+  /// `I2 ` where the first crossing of the language is not the one meant (lang/README.md, section
+  /// 2); nothing where both are one.
+  [[nodiscard]] std::string selector(const Leg& first, const Leg& second) const {
+    if (first.is_line() && second.is_line()) return "";
+    if (style_ != DgtStyle::Through && is_smooth(*first.move, *second.move)) return "";
+    const RationalPoint& at = second.from;
+    // A circle and a line: where the line leaves is I1. Otherwise where the first enters.
+    const bool by_second = !first.is_line() && second.is_line();
+    const Leg& passing = by_second ? second : first;
+    const Leg& disc = by_second ? first : second;
+    const int out = sgn(dot(direction_at(passing, at), at - disc.centre));
+    if (out == 0) return "";
+    return (out > 0) == by_second ? "" : "I2 ";
+  }
+
+  /// Whether two legs run on one element, so that only the point between them tells where.
+  static bool share_element(const Leg& first, const Leg& second) {
+    const auto number = [](const Leg& leg) {
+      const std::size_t begin = leg.name.find_first_of("0123456789");
+      return begin == std::string::npos ? std::string() : leg.name[0] + leg.name.substr(begin);
+    };
+    return !first.name.empty() && number(first) == number(second);
+  }
+
+  void add_joint(std::vector<std::string>& items, const Leg& first, const Leg& second) {
+    if (second.fillet) {
+      items.push_back(
+          "R" + to_short_decimal(dgt_number(abs(second.move->circle().radius())), kDgtDecimals));
+    } else if (first.fillet) {
+      items.push_back(second.name);
+    } else if (share_element(first, second)) {
+      items.insert(items.end(), {names_.point(second.from), second.name});
+    } else {
+      items.push_back(selector(first, second) + second.name);
+    }
+  }
+
+  std::vector<std::string> in_order() {
+    std::vector<std::string> items;
+    const bool meets = closed_ && legs_.size() > 1 && !share_element(legs_.back(), legs_.front());
+    if (meets) {
+      items.push_back(legs_.back().name);
+      add_joint(items, legs_.back(), legs_.front());
+    } else {
+      items.insert(items.end(), {names_.point(legs_.front().from), legs_.front().name});
+    }
+    for (std::size_t i = 1; i < legs_.size(); ++i) add_joint(items, legs_[i - 1], legs_[i]);
+    if (meets)
+      add_joint(items, legs_.back(), legs_.front());
+    else
+      items.push_back(names_.point(legs_.back().to));
+    return items;
+  }
+
+  bool closed_;
+  DgtStyle style_;
+  DgtNames& names_;
+  bool only_cuts_ = true;
+  std::vector<Leg> legs_;
+};
+
+/// From point to point, with everything that happens between.
+std::vector<std::string> by_points(std::span<const Move> moves, DgtNames& names) {
+  std::vector<std::string> items;
+  if (!moves.empty()) items.push_back(names.point(dgt_place(moves.front().from)));
+  const Rational* feed = moves.empty() ? nullptr : moves.front().feed.get();
+  for (const Move& move : moves) {
+    if (move.kind == MoveKind::Code) {
+      items.push_back(dgt_code(move.code));
+      continue;
+    }
+    if (move.kind == MoveKind::Dwell) {
+      items.push_back("T" + to_short_decimal(*move.seconds, kDgtDecimals));
+      continue;
+    }
+    if (move.feed && (feed == nullptr || *feed != *move.feed)) {
+      feed = move.feed.get();
+      items.push_back("F" + to_short_decimal(*feed, kDgtDecimals));
+    }
+    const RationalPoint from = dgt_place(move.from);
+    const RationalPoint to = dgt_place(move.to);
+    if (move.kind == MoveKind::Rapid) items.emplace_back("G0");
+    if (move.kind == MoveKind::Arc) {
+      const bool whole = move.full_circle;
+      const RationalPoint middle = place_along(move, whole ? 1.0 / 3 : 0.5);
+      const RationalPoint last = whole ? place_along(move, 2.0 / 3) : to;
+      items.push_back(names.circle_through(from, middle, last, move.circle().counter_clockwise()));
+    }
+    items.push_back(names.point(to));
+  }
+  return items;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> dgt_items(std::span<const Move> moves, bool closed,
+                                                  DgtStyle style, DgtNames& names) {
+  if (style == DgtStyle::Points) return by_points(moves, names);
+  return ContourItems(moves, closed, style, names).run();
+}
+
+std::optional<std::vector<std::string>> dgt_items_with_leads(std::span<const Move> moves,
+                                                             bool closed, DgtNames& names) {
+  const auto is_lead = [](const Move& move, Role role) {
+    return move.role == role && move.kind == MoveKind::Line;
+  };
+  std::size_t first = 0;
+  std::size_t last = moves.size();
+  std::vector<std::string> items;
+  for (; first < last && is_lead(moves[first], Role::LeadIn); ++first)
+    items.push_back(names.point(dgt_place(moves[first].from)));
+  std::vector<std::string> departure;
+  for (; last > first && is_lead(moves[last - 1], Role::LeadOut); --last)
+    departure.insert(departure.begin(), names.point(dgt_place(moves[last - 1].to)));
+  if (first == last) return std::nullopt;
+  const bool has_leads = first > 0 || last < moves.size();
+  auto part = ContourItems(moves.subspan(first, last - first), closed && !has_leads,
+                           DgtStyle::Offset, names)
+                  .run();
+  if (!part) return std::nullopt;
+  // The contact of an approach is no point of its own.
+  if (first > 0) part->erase(part->begin());
+  if (last < moves.size()) part->pop_back();
+  items.insert(items.end(), part->begin(), part->end());
+  items.insert(items.end(), departure.begin(), departure.end());
+  return items;
+}
+
+}  // namespace dgt
