@@ -47,17 +47,13 @@ class DgtProgram {
   void check() {
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
+      if (move.kind != MoveKind::Code || !dgt_code(move.code).empty()) continue;
       WriteFault fault;
+      fault.kind = WriteFault::Kind::UnknownCode;
       fault.move = i;
       fault.place = move.source;
-      if (move.z) {
-        fault.kind = WriteFault::Kind::HeightImpossible;
-        result_.faults.push_back(fault);
-      } else if (move.kind == MoveKind::Code && dgt_code(move.code).empty()) {
-        fault.kind = WriteFault::Kind::UnknownCode;
-        fault.code = move.code;
-        result_.faults.push_back(fault);
-      }
+      fault.code = move.code;
+      result_.faults.push_back(fault);
     }
   }
 
@@ -84,12 +80,14 @@ class DgtProgram {
       case MoveKind::Dwell:
         return add_line("T" + to_short_decimal(*move.seconds, kDgtDecimals));
       case MoveKind::Rapid: {
+        if (move.z) break;
         const char* const word = move.role == Role::Thread ? "G54 " : "G0 ";
         return add_line(word + dgt_coordinates(dgt_place(move.to)));
       }
       default:
-        add_items(*dgt_items({&move, 1}, false, DgtStyle::Points, names_), "");
+        break;
     }
+    add_items(*dgt_items({&move, 1}, false, DgtStyle::Points, names_), "");
   }
 
   void add_contour(std::size_t index) {
@@ -102,11 +100,15 @@ class DgtProgram {
     const auto cut = std::ranges::find_if(moves, [](const Move& move) { return move.travels(); });
     if (cut != moves.end()) set_feed(*cut);
     result_.contours[index].first = lines_ + 1;
-    auto items = items_of(contour, moves, index);
-    const bool is_offset = styles_[index] == DgtStyle::Offset && items;
-    if (!items) items = dgt_items(moves, contour.closed, DgtStyle::Points, names_);
+    DgtStyle& style = result_.contours[index].style;
+    style = styles_[index];
+    auto items = items_of(contour, moves, style);
+    while (!items) {
+      style = static_cast<DgtStyle>(static_cast<int>(style) + 1);
+      items = items_of(contour, moves, style);
+    }
     std::string head;
-    if (is_offset) {
+    if (is_with_width(style)) {
       head = "W" + to_short_decimal(abs(contour.offset), kDgtDecimals) + " ";
       set_side(contour.side);
     }
@@ -116,16 +118,17 @@ class DgtProgram {
   }
 
   std::optional<std::vector<std::string>> items_of(const Contour& contour,
-                                                   std::span<const Move> moves, std::size_t index) {
-    if (styles_[index] == DgtStyle::Offset)
-      return dgt_items_with_leads(contour.programmed, contour.closed, names_);
+                                                   std::span<const Move> moves, DgtStyle style) {
+    if (is_with_width(style))
+      return dgt_items_with_leads(contour.programmed, contour.closed, style, names_);
+    if (style == DgtStyle::Points) return dgt_items(moves, contour.closed, style, names_);
     const bool is_round = !moves.empty() && moves.front().from == moves.back().to;
     const bool one_feed = std::ranges::all_of(moves, [&](const Move& move) {
       return !move.travels() || move.feed == moves.front().feed ||
              (move.feed && moves.front().feed && *move.feed == *moves.front().feed);
     });
     if (!one_feed) return std::nullopt;
-    return dgt_items(moves, is_round, styles_[index], names_);
+    return dgt_items(moves, is_round, style, names_);
   }
 
   void set_side(Side side) {

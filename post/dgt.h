@@ -13,22 +13,29 @@ namespace dgt {
 
 /// How a contour is said, from what a person would write to what always works.
 enum class DgtStyle : std::uint8_t {
-  Offset,    ///< the programmed contour with W, by Elements
-  Elements,  ///< lines and circles, tangents and fillets; each met with the next
-  Through,   ///< the same, circles through three places of their arcs
-  Points,    ///< from point to point, circles between them through three places
+  Offset,       ///< the programmed contour with W, by Elements, leads along the normals
+  FromMeeting,  ///< likewise, from where the last element of a closed contour meets the first
+  Elements,     ///< lines and circles, tangents and fillets; each met with the next
+  Through,      ///< the same, circles through three places of their arcs
+  Points,       ///< from point to point, circles between them through three places
 };
 
-/// The lines of the text that say a contour, from 1.
+[[nodiscard]] constexpr bool is_with_width(DgtStyle style) {
+  return style == DgtStyle::Offset || style == DgtStyle::FromMeeting;
+}
+
+/// What says a contour: lines of the text, from 1, and the style, plainer than the one asked for
+/// where that has no words for it.
 struct DgtLines {
   std::size_t first = 0;
   std::size_t last = 0;
+  DgtStyle style = DgtStyle::Points;
 };
 
 struct DgtText {
   std::string text;
   std::vector<DgtLines> contours;  ///< one for each of the path
-  std::vector<WriteFault> faults;  ///< heights, codes that the language lacks; then no text
+  std::vector<WriteFault> faults;  ///< codes that the language lacks; then no text
 };
 
 /// Numbers are rounded to this many decimals, or to fewer where that is as near as rounding of

@@ -76,7 +76,7 @@ class ContourItems {
   ContourItems(std::span<const Move> moves, bool closed, DgtStyle style, DgtNames& names)
       : closed_(closed), style_(style), names_(names) {
     for (const Move& move : moves) {
-      if (!move.cuts()) {
+      if (!move.cuts() || move.z) {
         only_cuts_ = false;
         continue;
       }
@@ -265,6 +265,8 @@ std::vector<std::string> by_points(std::span<const Move> moves, DgtNames& names)
     }
     const RationalPoint from = dgt_place(move.from);
     const RationalPoint to = dgt_place(move.to);
+    const std::string height = move.z ? "Z" + to_short_decimal(*move.z, kDgtDecimals) : "";
+    if (move.z && move.kind != MoveKind::Arc) items.push_back(height);
     if (move.kind == MoveKind::Rapid) items.emplace_back("G0");
     if (move.kind == MoveKind::Arc) {
       const bool whole = move.full_circle;
@@ -286,29 +288,36 @@ std::optional<std::vector<std::string>> dgt_items(std::span<const Move> moves, b
 }
 
 std::optional<std::vector<std::string>> dgt_items_with_leads(std::span<const Move> moves,
-                                                             bool closed, DgtNames& names) {
+                                                             bool closed, DgtStyle style,
+                                                             DgtNames& names) {
   const auto is_lead = [](const Move& move, Role role) {
-    return move.role == role && move.kind == MoveKind::Line;
+    return move.role == role && (move.kind == MoveKind::Line || move.kind == MoveKind::Rapid);
   };
   std::size_t first = 0;
+  while (first < moves.size() && is_lead(moves[first], Role::LeadIn)) ++first;
   std::size_t last = moves.size();
+  while (last > first && is_lead(moves[last - 1], Role::LeadOut)) --last;
+  const bool departs = last < moves.size();
+  const bool meets = style == DgtStyle::FromMeeting;
+  if (first == last || (meets && (!closed || departs))) return std::nullopt;
+  ContourItems part(moves.subspan(first, last - first),
+                    closed && (meets || (first == 0 && !departs)), style, names);
+  if (meets) return part.run();  // the first pair leads there
+  auto along = part.run();
+  if (!along) return std::nullopt;
+  // The contact of an approach or departure is no point of its own.
+  if (first > 0) along->erase(along->begin());
+  if (departs) along->pop_back();
   std::vector<std::string> items;
-  for (; first < last && is_lead(moves[first], Role::LeadIn); ++first)
-    items.push_back(names.point(dgt_place(moves[first].from)));
-  std::vector<std::string> departure;
-  for (; last > first && is_lead(moves[last - 1], Role::LeadOut); --last)
-    departure.insert(departure.begin(), names.point(dgt_place(moves[last - 1].to)));
-  if (first == last) return std::nullopt;
-  const bool has_leads = first > 0 || last < moves.size();
-  auto part = ContourItems(moves.subspan(first, last - first), closed && !has_leads,
-                           DgtStyle::Offset, names)
-                  .run();
-  if (!part) return std::nullopt;
-  // The contact of an approach is no point of its own.
-  if (first > 0) part->erase(part->begin());
-  if (last < moves.size()) part->pop_back();
-  items.insert(items.end(), part->begin(), part->end());
-  items.insert(items.end(), departure.begin(), departure.end());
+  for (const Move& lead : moves.first(first)) {
+    items.push_back(names.point(dgt_place(lead.from)));
+    if (lead.kind == MoveKind::Rapid) items.emplace_back("G0");
+  }
+  items.insert(items.end(), along->begin(), along->end());
+  for (const Move& lead : moves.subspan(last)) {
+    if (lead.kind == MoveKind::Rapid) items.emplace_back("G0");
+    items.push_back(names.point(dgt_place(lead.to)));
+  }
   return items;
 }
 

@@ -17,8 +17,9 @@ namespace dgt {
                                                                 bool closed, DgtStyle style,
                                                                 DgtNames& names);
 
-/// The same along elements, with the straight leads at both ends as approach and departure.
+/// The same along elements, in the style Offset or FromMeeting, with the straight leads at both
+/// ends as approach and departure.
 [[nodiscard]] std::optional<std::vector<std::string>> dgt_items_with_leads(
-    std::span<const Move> moves, bool closed, DgtNames& names);
+    std::span<const Move> moves, bool closed, DgtStyle style, DgtNames& names);
 
 }  // namespace dgt

@@ -44,6 +44,7 @@ Reading read_again(const std::string& text) {
 /// How far the second move is from the first; nothing when it is another kind of move.
 std::optional<double> distance(const Move& a, const Move& b) {
   if (a.kind != b.kind || a.full_circle != b.full_circle) return std::nullopt;
+  if ((a.z != nullptr) != (b.z != nullptr) || (a.z && *a.z != *b.z)) return std::nullopt;
   if (a.feed && (!b.feed || *a.feed != *b.feed)) return std::nullopt;
   switch (a.kind) {
     case MoveKind::Code:
@@ -90,7 +91,7 @@ class DgtWriting {
 
   DgtSource run() {
     // Each round says at least one contour more plainly.
-    const std::size_t rounds = 3 * styles_.size() + 2;
+    const std::size_t rounds = 4 * styles_.size() + 2;
     for (std::size_t round = 0; round < rounds; ++round) {
       text_ = to_dgt(path_, styles_, title_);
       if (!text_.faults.empty()) return refused(text_.faults);
@@ -115,6 +116,7 @@ class DgtWriting {
     const bool all = !is_placed;
     bool changed = false;
     for (std::size_t i = 0; i < styles_.size(); ++i) {
+      styles_[i] = text_.contours[i].style;
       if ((all || differs[i]) && styles_[i] != DgtStyle::Points) {
         styles_[i] = static_cast<DgtStyle>(static_cast<int>(styles_[i]) + 1);
         changed = true;
@@ -169,8 +171,7 @@ class DgtWriting {
     source.contours = styles_.size();
     for (std::size_t i = 0; i < styles_.size(); ++i) {
       if (styles_[i] == DgtStyle::Points) ++source.by_points;
-      if (sgn(path_.contours[i].offset) != 0 && styles_[i] != DgtStyle::Offset)
-        ++source.without_width;
+      if (sgn(path_.contours[i].offset) != 0 && !is_with_width(styles_[i])) ++source.without_width;
     }
     return source;
   }
@@ -186,7 +187,11 @@ class DgtWriting {
       if (!one || !(*one <= kDgtDeviation)) break;
       ++fault.move;
     }
-    if (fault.move < path_.moves.size()) fault.place = path_.moves[fault.move].source;
+    if (fault.move < path_.moves.size()) {
+      const Move& move = path_.moves[fault.move];
+      fault.place = move.source;
+      if (move.z) fault.kind = WriteFault::Kind::HeightImpossible;
+    }
     return fault;
   }
 
