@@ -96,12 +96,12 @@ class DgtProgram {
                                       contour.last - contour.first);
     // An element may be defined again, so numbers never run out between contours.
     const std::size_t more = moves.size() + 2;
-    if (names_.circles() + more > kMaxDgtNumber) names_.begin_anew();
+    if (names_.largest() + more > kMaxDgtNumber) names_.begin_anew();
     const auto cut = std::ranges::find_if(moves, [](const Move& move) { return move.travels(); });
     if (cut != moves.end()) set_feed(*cut);
     result_.contours[index].first = lines_ + 1;
     DgtStyle& style = result_.contours[index].style;
-    style = styles_[index];
+    style = more < kMaxDgtNumber ? styles_[index] : DgtStyle::Points;
     auto items = items_of(contour, moves, style);
     while (!items) {
       style = static_cast<DgtStyle>(static_cast<int>(style) + 1);
@@ -123,11 +123,6 @@ class DgtProgram {
       return dgt_items_with_leads(contour.programmed, contour.closed, style, names_);
     if (style == DgtStyle::Points) return dgt_items(moves, contour.closed, style, names_);
     const bool is_round = !moves.empty() && moves.front().from == moves.back().to;
-    const bool one_feed = std::ranges::all_of(moves, [&](const Move& move) {
-      return !move.travels() || move.feed == moves.front().feed ||
-             (move.feed && moves.front().feed && *move.feed == *moves.front().feed);
-    });
-    if (!one_feed) return std::nullopt;
     return dgt_items(moves, is_round, style, names_);
   }
 

@@ -58,6 +58,14 @@ RationalPoint circumcentre(const RationalPoint& a, const RationalPoint& b, const
   return {a.x + (v.y * uu - u.y * vv) / turn, a.y + (u.x * vv - v.x * uu) / turn};
 }
 
+std::string feed_of(const Move& move) { return "F" + to_short_decimal(*move.feed, kDgtDecimals); }
+
+/// A code or a dwell.
+std::string word_of(const Move& move) {
+  if (move.kind == MoveKind::Code) return dgt_code(move.code);
+  return "T" + to_short_decimal(*move.seconds, kDgtDecimals);
+}
+
 /// A cut of the contour as it is written.
 struct Leg {
   const Move* move = nullptr;
@@ -66,6 +74,8 @@ struct Leg {
   std::string name;      ///< of its element; empty for a fillet
   RationalPoint centre;  ///< of a circle, as it is defined
   bool fillet = false;   ///< said as R between its neighbours
+  /// What happens before it is cut; in the language it stands behind the element.
+  std::vector<std::string> words;
 
   [[nodiscard]] bool is_line() const { return move->kind == MoveKind::Line; }
   [[nodiscard]] bool ccw() const { return move->circle().counter_clockwise(); }
@@ -75,26 +85,53 @@ class ContourItems {
  public:
   ContourItems(std::span<const Move> moves, bool closed, DgtStyle style, DgtNames& names)
       : closed_(closed), style_(style), names_(names) {
+    std::vector<std::string> words;
+    const Rational* feed = nullptr;
     for (const Move& move : moves) {
-      if (!move.cuts() || move.z) {
-        only_cuts_ = false;
+      if (!move.travels()) {
+        words.push_back(word_of(move));
         continue;
       }
-      legs_.push_back({&move, dgt_place(move.from), dgt_place(move.to), "", {}, false});
+      can_be_said_ = can_be_said_ && move.cuts() && !move.z;
+      if (move.feed && feed != nullptr && *feed != *move.feed) words.push_back(feed_of(move));
+      feed = move.feed.get();
+      legs_.push_back({&move,
+                       dgt_place(move.from),
+                       dgt_place(move.to),
+                       "",
+                       {},
+                       false,
+                       std::exchange(words, {})});
     }
   }
 
-  std::optional<std::vector<std::string>> run() {
-    if (!only_cuts_ || !can_be_named()) return std::nullopt;
+  /// `approached`, `departed`: by leads that say where it begins and ends.
+  std::optional<std::vector<std::string>> run(bool approached = false, bool departed = false) {
+    if (!can_be_said_ || legs_.empty() || !can_be_named()) return std::nullopt;
     if (style_ != DgtStyle::Through) find_fillets();
     for (std::size_t i = 0; i < legs_.size(); ++i)
       if (!legs_[i].is_line()) name_circle(legs_[i]);
     for (std::size_t i = 0; i < legs_.size(); ++i)
       if (legs_[i].is_line()) name_line(i);
-    return in_order();
+    return in_order(approached, departed);
+  }
+
+  /// The first element as the one that bounds the last.
+  [[nodiscard]] std::string back_to_first() const {
+    return selector(legs_.back(), legs_.front()) + legs_.front().name;
+  }
+  [[nodiscard]] bool ends_in_line() const { return !legs_.empty() && legs_.back().is_line(); }
+  /// How far the last one goes along its line.
+  [[nodiscard]] std::string last_length() const {
+    const Leg& last = legs_.back();
+    const Rational length = sqrt_within(squared_length(last.to - last.from), kLengthExponent);
+    return "D" + to_short_decimal(dgt_number(length), kDgtDecimals);
   }
 
  private:
+  /// Finer than the last digit that is written.
+  static constexpr int kLengthExponent = -80;
+
   [[nodiscard]] bool can_be_named() const {
     return std::ranges::none_of(legs_, [](const Leg& leg) {
       return leg.from == leg.to && !leg.move->full_circle;  // rounded to nothing
@@ -119,15 +156,20 @@ class ContourItems {
     return other != nullptr && is_smooth(*legs_[i].move, *other->move);
   }
 
-  /// Arcs of less than half a turn between two lines that they touch. Where a closed contour begins
-  /// none is: it is met there.
+  /// Arcs of less than half a turn that touch both neighbours, which are lines or larger circles.
+  /// Where a contour begins or ends none is: it is met there.
   void find_fillets() {
     for (std::size_t i = 1; i + 1 < legs_.size(); ++i) {
       Leg& leg = legs_[i];
-      if (leg.is_line() || !legs_[i - 1].is_line() || !legs_[i + 1].is_line()) continue;
-      leg.fillet = is_tangent_before(i) && is_tangent_behind(i) && half_turn_order(*leg.move) < 0 &&
-                   !leg.move->full_circle;
+      if (leg.is_line() || leg.move->full_circle || !leg.words.empty()) continue;
+      leg.fillet = is_wider(legs_[i - 1], leg) && is_wider(legs_[i + 1], leg) &&
+                   is_tangent_before(i) && is_tangent_behind(i) && half_turn_order(*leg.move) < 0;
     }
+  }
+  static bool is_wider(const Leg& neighbour, const Leg& arc) {
+    if (neighbour.fillet) return false;
+    if (neighbour.is_line()) return true;
+    return abs(neighbour.move->circle().radius()) > abs(arc.move->circle().radius());
   }
 
   void name_circle(Leg& leg) {
@@ -187,7 +229,7 @@ class ContourItems {
   /// `I2 ` where the first crossing of the language is not the one meant (lang/README.md, section
   /// 2); nothing where both are one.
   [[nodiscard]] std::string selector(const Leg& first, const Leg& second) const {
-    if (first.is_line() && second.is_line()) return "";
+    if (share_element(first, second) || (first.is_line() && second.is_line())) return "";
     if (style_ != DgtStyle::Through && is_smooth(*first.move, *second.move)) return "";
     const RationalPoint& at = second.from;
     // A circle and a line: where the line leaves is I1. Otherwise where the first enters.
@@ -212,28 +254,29 @@ class ContourItems {
     if (second.fillet) {
       items.push_back(
           "R" + to_short_decimal(dgt_number(abs(second.move->circle().radius())), kDgtDecimals));
-    } else if (first.fillet) {
-      items.push_back(second.name);
-    } else if (share_element(first, second)) {
-      items.insert(items.end(), {names_.point(second.from), second.name});
-    } else {
-      items.push_back(selector(first, second) + second.name);
+      return;
     }
+    if (!first.fillet && share_element(first, second)) items.push_back(names_.point(second.from));
+    items.push_back((first.fillet ? "" : selector(first, second)) + second.name);
+    items.insert(items.end(), second.words.begin(), second.words.end());
   }
 
-  std::vector<std::string> in_order() {
+  std::vector<std::string> in_order(bool approached, bool departed) {
     std::vector<std::string> items;
     const bool meets = closed_ && legs_.size() > 1 && !share_element(legs_.back(), legs_.front());
     if (meets) {
       items.push_back(legs_.back().name);
       add_joint(items, legs_.back(), legs_.front());
     } else {
-      items.insert(items.end(), {names_.point(legs_.front().from), legs_.front().name});
+      const Leg& first = legs_.front();
+      if (!approached) items.push_back(names_.point(first.from));
+      items.push_back(first.name);
+      items.insert(items.end(), first.words.begin(), first.words.end());
     }
     for (std::size_t i = 1; i < legs_.size(); ++i) add_joint(items, legs_[i - 1], legs_[i]);
     if (meets)
-      add_joint(items, legs_.back(), legs_.front());
-    else
+      items.push_back(selector(legs_.back(), legs_.front()) + legs_.front().name);
+    else if (!departed)
       items.push_back(names_.point(legs_.back().to));
     return items;
   }
@@ -241,28 +284,27 @@ class ContourItems {
   bool closed_;
   DgtStyle style_;
   DgtNames& names_;
-  bool only_cuts_ = true;
+  bool can_be_said_ = true;
   std::vector<Leg> legs_;
 };
 
 /// From point to point, with everything that happens between.
 std::vector<std::string> by_points(std::span<const Move> moves, DgtNames& names) {
+  // Names run out before coordinates do.
+  const bool has_names = moves.size() < kMaxDgtNumber;
+  const auto point = [&](const RationalPoint& p) {
+    return has_names ? names.point(p) : dgt_coordinates(p);
+  };
   std::vector<std::string> items;
-  if (!moves.empty()) items.push_back(names.point(dgt_place(moves.front().from)));
+  if (!moves.empty()) items.push_back(point(dgt_place(moves.front().from)));
   const Rational* feed = moves.empty() ? nullptr : moves.front().feed.get();
   for (const Move& move : moves) {
-    if (move.kind == MoveKind::Code) {
-      items.push_back(dgt_code(move.code));
+    if (!move.travels()) {
+      items.push_back(word_of(move));
       continue;
     }
-    if (move.kind == MoveKind::Dwell) {
-      items.push_back("T" + to_short_decimal(*move.seconds, kDgtDecimals));
-      continue;
-    }
-    if (move.feed && (feed == nullptr || *feed != *move.feed)) {
-      feed = move.feed.get();
-      items.push_back("F" + to_short_decimal(*feed, kDgtDecimals));
-    }
+    if (move.feed && (feed == nullptr || *feed != *move.feed)) items.push_back(feed_of(move));
+    feed = move.feed.get();
     const RationalPoint from = dgt_place(move.from);
     const RationalPoint to = dgt_place(move.to);
     const std::string height = move.z ? "Z" + to_short_decimal(*move.z, kDgtDecimals) : "";
@@ -274,7 +316,7 @@ std::vector<std::string> by_points(std::span<const Move> moves, DgtNames& names)
       const RationalPoint last = whole ? place_along(move, 2.0 / 3) : to;
       items.push_back(names.circle_through(from, middle, last, move.circle().counter_clockwise()));
     }
-    items.push_back(names.point(to));
+    items.push_back(point(to));
   }
   return items;
 }
@@ -290,28 +332,30 @@ std::optional<std::vector<std::string>> dgt_items(std::span<const Move> moves, b
 std::optional<std::vector<std::string>> dgt_items_with_leads(std::span<const Move> moves,
                                                              bool closed, DgtStyle style,
                                                              DgtNames& names) {
-  const auto is_lead = [](const Move& move, Role role) {
-    return move.role == role && (move.kind == MoveKind::Line || move.kind == MoveKind::Rapid);
+  const auto is_lead = [](const Move& move) {
+    return (move.kind == MoveKind::Line || move.kind == MoveKind::Rapid) && !is_part(move);
   };
   std::size_t first = 0;
-  while (first < moves.size() && is_lead(moves[first], Role::LeadIn)) ++first;
+  while (first < moves.size() && is_lead(moves[first])) ++first;
   std::size_t last = moves.size();
-  while (last > first && is_lead(moves[last - 1], Role::LeadOut)) --last;
+  while (last > first && is_lead(moves[last - 1])) --last;
   const bool departs = last < moves.size();
   const bool meets = style == DgtStyle::FromMeeting;
   if (first == last || (meets && (!closed || departs))) return std::nullopt;
   ContourItems part(moves.subspan(first, last - first),
                     closed && (meets || (first == 0 && !departs)), style, names);
   if (meets) return part.run();  // the first pair leads there
-  auto along = part.run();
-  if (!along) return std::nullopt;
   // The contact of an approach or departure is no point of its own.
-  if (first > 0) along->erase(along->begin());
-  if (departs) along->pop_back();
+  const bool approached = first > 0;
+  const bool bounded = approached && !departs && (closed || part.ends_in_line());
+  auto along = part.run(approached, departs || bounded);
+  if (!along) return std::nullopt;
+  if (bounded) along->push_back(closed ? part.back_to_first() : part.last_length());
   std::vector<std::string> items;
-  for (const Move& lead : moves.first(first)) {
-    items.push_back(names.point(dgt_place(lead.from)));
-    if (lead.kind == MoveKind::Rapid) items.emplace_back("G0");
+  for (std::size_t i = 0; i < first; ++i) {
+    // From where the tool stands a straight way to the next point needs no word.
+    if (i > 0 || first == 1) items.push_back(names.point(dgt_place(moves[i].from)));
+    if (moves[i].kind == MoveKind::Rapid) items.emplace_back("G0");
   }
   items.insert(items.end(), along->begin(), along->end());
   for (const Move& lead : moves.subspan(last)) {

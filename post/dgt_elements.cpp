@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "post/dgt_elements.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "post/dgt.h"
@@ -85,6 +86,12 @@ std::string DgtNames::circle_through(const RationalPoint& a, const RationalPoint
 }
 
 std::vector<std::string> DgtNames::take_definitions() { return std::exchange(definitions_, {}); }
+
+std::size_t DgtNames::largest() const {
+  std::size_t most = 0;
+  for (const auto& [letter, number] : numbers_) most = std::max(most, number);
+  return most;
+}
 
 void DgtNames::begin_anew() {
   for (auto& [letter, number] : numbers_) number = 0;

@@ -35,7 +35,8 @@ class DgtNames {
   [[nodiscard]] std::vector<std::string> take_definitions();
   /// Forgets the names, so that numbers begin anew: elements may be defined again.
   void begin_anew();
-  [[nodiscard]] std::size_t circles() const { return numbers_.at('C'); }
+  /// The largest number that has been given.
+  [[nodiscard]] std::size_t largest() const;
 
  private:
   struct LineKey {

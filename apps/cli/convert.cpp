@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "apps/cli/compile.h"
@@ -9,6 +10,7 @@
 #include "apps/cli/verbs.h"
 #include "apps/driver/dgt_source.h"
 #include "apps/driver/write_messages.h"
+#include "post/dgt.h"
 
 namespace dgt::cli {
 namespace {
@@ -26,12 +28,28 @@ Dialect language_as_dialect() {
   return dialect;
 }
 
+/// Every arc of a contour may want a circle of its own, and these have numbers.
+bool can_be_numbered(const Toolpath& path, const Console& console) {
+  for (const Contour& contour : path.contours) {
+    const auto first = path.moves.begin() + static_cast<std::ptrdiff_t>(contour.first);
+    const auto last = path.moves.begin() + static_cast<std::ptrdiff_t>(contour.last);
+    const auto arcs = static_cast<std::size_t>(
+        std::count_if(first, last, [](const Move& move) { return move.kind == MoveKind::Arc; }));
+    if (arcs <= kMaxDgtNumber) continue;
+    console.error(Text::TooManyArcs, {std::to_string(contour.id), std::to_string(arcs),
+                                      std::to_string(kMaxDgtNumber)});
+    return false;
+  }
+  return true;
+}
+
 /// As a program in the language itself.
 ExitCode write_source(const Request& request, const Console& console) {
   const auto settings = settle(request.source, console, "");
   if (!settings) return settings.error();
   const auto made = load(request.file, request.source, settings->source, console);
   if (!made) return made.error();
+  if (!can_be_numbered(*made->result.path, console)) return ExitCode::InputErrors;
   const std::string title = std::filesystem::path(made->file->name()).filename();
   const DgtSource source = write_dgt(*made->result.path, title);
   console.show(explain(source.written, language_as_dialect(), *made), sources_of(*made));

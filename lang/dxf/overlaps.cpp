@@ -20,26 +20,29 @@ constexpr double kNearby = 2e-6;
 
 // --- duplicates
 
-/// A place that two strands of one shape share, and a size that tells many that share it apart.
+/// A place that two strands of one shape share, within the rounding of doubles, and a size that
+/// tells many that share it apart.
 struct Feature {
   RationalPoint middle;
   double size = 0;
 };
 
 Feature feature_of(const Strand& strand) {
-  Rational x;
-  Rational y;
-  Rational count = static_cast<long>(2 * strand.pieces.size());
+  double x = 0;
+  double y = 0;
+  const auto count = static_cast<double>(2 * strand.pieces.size());
   double size = 0;
   for (const DxfPiece& piece : strand.pieces) {
     const RationalPoint& from = piece.is_whole_circle() ? piece.circle->centre() : piece.from;
     const RationalPoint& to = piece.is_whole_circle() ? piece.circle->centre() : piece.to;
-    x += from.x + to.x;
-    y += from.y + to.y;
+    const Spotted a = spotted(from);
+    const Spotted b = spotted(to);
+    x += a.x + b.x;
+    y += a.y + b.y;
     size += distance_between(from, to);
     if (piece.circle) size += std::fabs(nearest_double(piece.circle->radius()));
   }
-  return {{x / count, y / count}, size};
+  return {{Rational(x / count), Rational(y / count)}, size};
 }
 
 bool are_one(const DxfPiece& a, const DxfPiece& b) {
