@@ -49,7 +49,11 @@ Step<std::vector<Chain>> loops_of_poly(const Request& request, const Console& co
 }
 
 Step<std::vector<Chain>> loops_of_program(const Request& request, const Console& console) {
-  const auto path = load_path(request.file, request.source, console);
+  SourceOptions source = request.source;
+  // The part lies to the left of every loop; a drawing has no directions of its own.
+  if (language_for(request.file, source) == InputLanguage::Dxf)
+    source.machine.settings.insert(source.machine.settings.begin(), "dxf.direction=part-left");
+  const auto path = load_path(request.file, source, console);
   if (!path) return tl::unexpected(path.error());
   std::vector<Chain> chains;
   for (const Contour& contour : path->contours) {

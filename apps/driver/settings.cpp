@@ -190,6 +190,14 @@ bool set_dxf_order(Settings& settings, std::string_view text) {
   return false;
 }
 
+bool set_dxf_direction(Settings& settings, std::string_view text) {
+  DxfDirection& direction = settings.source.dxf.direction;
+  if (text == "drawn") return direction = DxfDirection::Drawn, true;
+  if (text == "part-left") return direction = DxfDirection::PartLeft, true;
+  if (text == "part-right") return direction = DxfDirection::PartRight, true;
+  return false;
+}
+
 bool set_dxf_kerf(Settings& settings, std::string_view text) {
   settings.source.dxf.apply_kerf = text == "on";
   return text == "on" || text == "off";
@@ -253,6 +261,7 @@ constexpr std::array kRules{
     Rule{{"dxf.join_tolerance", "0…10 mm"}, set_dxf_join_tolerance},
     Rule{{"dxf.curve_tolerance", "0.000001…10 mm"}, set_curve_tolerance},
     Rule{{"dxf.order", "auto|inside-out|drawn"}, set_dxf_order},
+    Rule{{"dxf.direction", "drawn|part-left|part-right"}, set_dxf_direction},
     Rule{{"dxf.kerf", "on|off"}, set_dxf_kerf},
     Rule{{"corner", "extend|round|chamfer"}, set_corner},
     Rule{{"corner_limit", "1…1000"}, set_corner_limit},

@@ -18,7 +18,17 @@ Box box_of(const DxfPiece& piece) {
   Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
           std::max(from.y, to.y)};
   if (!piece.circle) return box;
-  // Of the whole circle: a box may be too large.
+  // A box may be too large: a minor arc leaves its chord by its sagitta, any arc lies on its
+  // circle.
+  const Vector a = piece.from - piece.circle->centre();
+  const Vector b = piece.to - piece.circle->centre();
+  const bool ccw = piece.circle->counter_clockwise();
+  if (sgn(cross(a, b)) * (ccw ? 1 : -1) > 0) {
+    const double half = distance_between(piece.from, piece.to) / 2;
+    const double size = std::fabs(nearest_double(piece.circle->radius()));
+    // r − √(r² − h²) = h²/(r + √(r² − h²)) ≤ h²/r, and h where that is less.
+    return box.grown(std::min(half, half * half / size));
+  }
   const Spotted centre = spotted(piece.circle->centre());
   const double radius = std::fabs(nearest_double(piece.circle->radius()));
   return box.united({centre.x - radius, centre.y - radius, centre.x + radius, centre.y + radius});
@@ -234,9 +244,9 @@ class InsideOut {
 Nesting nesting_of(const std::vector<DxfContour>& contours) {
   std::vector<Box> boxes;
   for (const DxfContour& contour : contours) boxes.push_back(box_of(contour));
-  const auto extent = [&](std::size_t i) {
-    return (boxes[i].max_x - boxes[i].min_x) * (boxes[i].max_y - boxes[i].min_y);
-  };
+  std::vector<double> areas;
+  for (const DxfContour& contour : contours)
+    areas.push_back(contour.closed ? std::fabs(doubled_area(contour)) : 0);
   Nesting nesting;
   nesting.parent.resize(contours.size());
   std::iota(nesting.parent.begin(), nesting.parent.end(), 0);
@@ -248,11 +258,11 @@ Nesting nesting_of(const std::vector<DxfContour>& contours) {
     tree.overlapping({at.x, at.y, at.x, at.y}, [&](std::size_t j) {
       if (j == i || !contours[j].closed || !contains(contours[j], q)) return;
       // Of two that begin on each other the larger one is outside.
-      const bool is_larger = extent(j) > extent(i) || (extent(j) == extent(i) && j < i);
+      const bool is_larger = areas[j] > areas[i] || (areas[j] == areas[i] && j < i);
       if (!is_larger) return;
       ++nesting.depth[i];
       const std::size_t parent = nesting.parent[i];
-      if (parent == i || extent(j) < extent(parent)) nesting.parent[i] = j;
+      if (parent == i || areas[j] < areas[parent]) nesting.parent[i] = j;
     });
   }
   return nesting;

@@ -61,8 +61,9 @@ class DxfPath {
     const bool offsets = options_.apply_kerf && sgn(options_.kerf_width) > 0;
     if (offsets) tell_kerf(nesting);
     for (const std::size_t i : inside_out(contours_, nesting)) {
-      const DxfContour& contour = contours_[i];
-      std::vector<Move> moves = moves_along(contour);
+      const bool turns = runs_the_other_way(contours_[i], nesting.depth[i]);
+      const DxfContour contour = turns ? turned_round(contours_[i]) : contours_[i];
+      const std::vector<Move> moves = moves_along(contour);
       if (offsets && contour.closed)
         append_offset(moves, contour, nesting.depth[i]);
       else
@@ -76,6 +77,23 @@ class DxfPath {
     Rational distance;
     Side side = Side::None;
   };
+
+  /// Against the direction that is wanted; a contour of no area has none.
+  [[nodiscard]] bool runs_the_other_way(const DxfContour& contour, std::size_t depth) const {
+    if (options_.direction == DxfDirection::Drawn || !contour.closed) return false;
+    const double area = doubled_area(contour);
+    const bool part_left = (area > 0) == (depth % 2 == 0);
+    return area != 0 && part_left != (options_.direction == DxfDirection::PartLeft);
+  }
+
+  /// The other way from the same place.
+  static DxfContour turned_round(const DxfContour& contour) {
+    DxfContour turned;
+    turned.closed = contour.closed;
+    for (auto piece = contour.pieces.rbegin(); piece != contour.pieces.rend(); ++piece)
+      turned.pieces.push_back(reversed(*piece));
+    return turned;
+  }
 
   void tell_kerf(const Nesting& nesting) {
     std::size_t outer = 0;

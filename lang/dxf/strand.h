@@ -34,6 +34,9 @@ struct Strand {
 
 enum class DxfUnit : std::uint8_t { Drawing, Millimetre, Inch };
 enum class DxfOrder : std::uint8_t { InsideOut, File };
+/// How closed contours run, where they are sorted: as drawn, or with the part on one side: on the
+/// left, outer ones counter-clockwise and holes clockwise.
+enum class DxfDirection : std::uint8_t { Drawn, PartLeft, PartRight };
 
 struct DxfOptions {
   /// Read these layers alone, whether they are shown or not; empty: all that are shown.
@@ -49,6 +52,7 @@ struct DxfOptions {
   /// What is cut first: holes before what they lie in, or everything as it is drawn, one entity
   /// after the other; unset: the first, save for drawings of a path by `dgt plot`.
   std::optional<DxfOrder> order = std::nullopt;
+  DxfDirection direction = DxfDirection::Drawn;
   /// How wide the tool cuts. Closed contours are moved by half of it, outer ones outward and holes
   /// inward. Unit: mm.
   Rational kerf_width = 0;

@@ -335,6 +335,30 @@ TEST(Dxf, HolesAreCutBeforeWhatTheyLieIn) {
   EXPECT_EQ(begins, (std::vector<double>{20, 10, 0, 200}));
 }
 
+TEST(Dxf, AnEllipseInAPlateIsAHoleOfIt) {
+  const Toolpath path =
+      path_of(dxf_file(rectangle(0, 0, 100, 60) + "|0 ELLIPSE|10 50|20 30|11 15|21 0|40 0.1"));
+  ASSERT_THAT(path.contours, SizeIs(2));
+  EXPECT_EQ(path.contours[0].programmed.front().from.x(), 65);
+}
+
+TEST(Dxf, ThePartLiesOnTheSideThatIsAskedFor) {
+  const std::string entities = rectangle(0, 0, 100, 100) + "|0 CIRCLE|10 50|20 50|40 20";
+  const auto hole_runs_ccw = [&](DxfDirection direction) {
+    DxfOptions options;
+    options.direction = direction;
+    const Toolpath path = path_of(dxf_file(entities), options);
+    EXPECT_EQ(path.moves.back().to, Point(RationalPoint{0, 0}));  // begins and ends where it did
+    const bool plate_runs_ccw = path.moves.back().from == Point(RationalPoint{0, 100});
+    const bool hole = path.moves.front().circle().counter_clockwise();
+    EXPECT_EQ(hole == plate_runs_ccw, direction == DxfDirection::Drawn);
+    return hole;
+  };
+  EXPECT_TRUE(hole_runs_ccw(DxfDirection::Drawn));
+  EXPECT_FALSE(hole_runs_ccw(DxfDirection::PartLeft));
+  EXPECT_TRUE(hole_runs_ccw(DxfDirection::PartRight));
+}
+
 TEST(Dxf, InDrawnOrderNothingIsSorted) {
   const std::string entities = rectangle(0, 0, 100, 100) + "|" + rectangle(10, 10, 80, 80);
   const Toolpath path = path_of(dxf_file(entities), {.order = DxfOrder::File});
