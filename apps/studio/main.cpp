@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   QApplication::setDesktopFileName(QStringLiteral("dgt-studio"));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/studio/window/icons/dgt-studio.svg")));
   if (invocation.picture) return take_picture(invocation);
-  MainWindow window({invocation.language, invocation.theme, invocation.machine_file, {}});
+  MainWindow window({invocation.language, invocation.theme, invocation.machine_file});
   window.show();
   if (!invocation.file.isEmpty()) window.open_file(invocation.file);
   window.offer_recovery();

@@ -96,13 +96,12 @@ TEST_F(MainWindowOfTheGuide, RemembersThemeFontAndColours) {
   });
   window->actions().colours->trigger();
   EXPECT_TRUE(dialog.came());
-  SettingsStore(file("studio.ini")).set_theme(Theme::Dark);
+  SettingsStore().set_theme(Theme::Dark);
   Colours mine = standard_colours(Theme::Dark);
   mine.equidistant = QColor(Qt::cyan);
-  SettingsStore(file("studio.ini")).set_colours(Theme::Dark, mine);
+  SettingsStore().set_colours(Theme::Dark, mine);
   window.reset();
-  window = std::make_unique<MainWindow>(
-      MainWindow::Options{Language::English, {}, {}, file("studio.ini")});
+  window = std::make_unique<MainWindow>(MainWindow::Options{Language::English, {}, {}});
   EXPECT_EQ(Appearance::of_program().theme(), Theme::Dark);
   EXPECT_EQ(colours(), mine);
   EXPECT_EQ(window->editor().font().pointSize(), points);
@@ -112,7 +111,7 @@ TEST_F(MainWindowOfTheGuide, RemembersThemeFontAndColours) {
 TEST_F(MainWindowOfTheGuide, DrawsAsOneTypesOnlyWhenThatIsWanted) {
   ASSERT_TRUE(window->actions().live->isChecked());
   window->actions().live->trigger();
-  EXPECT_FALSE(SettingsStore(file("studio.ini")).draws_live());
+  EXPECT_FALSE(SettingsStore().draws_live());
 }
 
 TEST_F(MainWindowOfTheGuide, AnswersToOlderTextAreDropped) {
@@ -144,7 +143,7 @@ TEST_F(MainWindowOfTheGuide, ABadMachineFileIsToldAndNotUsed) {
   folder.write("bad.toml", "rapid_spead = 5\n");
   window.reset();
   window = std::make_unique<MainWindow>(
-      MainWindow::Options{Language::English, Theme::Light, file("bad.toml"), file("studio.ini")});
+      MainWindow::Options{Language::English, Theme::Light, file("bad.toml")});
   window->show();
   EXPECT_TRUE(window->notices().isVisible());
 }

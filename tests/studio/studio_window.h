@@ -29,8 +29,7 @@ class StudioWindow : public testing::Test {
   /// Another window over the same settings; the one before is gone.
   void open_window() {
     window.reset();
-    window = std::make_unique<MainWindow>(MainWindow::Options{
-        Language::English, Theme::Light, {}, QString::fromStdString(folder.name("studio.ini"))});
+    window = std::make_unique<MainWindow>(MainWindow::Options{Language::English, Theme::Light, {}});
     window->resize(1366, 768);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));

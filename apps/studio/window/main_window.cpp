@@ -24,7 +24,6 @@ constexpr int kLayoutVersion = 1;
 
 MainWindow::MainWindow(const Options& options, QWidget* parent)
     : QMainWindow(parent),
-      settings_(options.settings_file),
       actions_(new Actions(this)),
       notices_(new NoticeBar),
       editor_(new SourceEditor),

@@ -31,7 +31,6 @@ class MainWindow : public QMainWindow {
     std::optional<Language> language;
     std::optional<Theme> theme;
     QString machine_file;
-    QString settings_file;  ///< where settings are kept; empty: the user's
   };
   explicit MainWindow(const Options& options, QWidget* parent = nullptr);
   ~MainWindow() override;

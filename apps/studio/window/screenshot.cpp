@@ -116,8 +116,9 @@ int take_picture(const Invocation& invocation) {
     }
   }
   const QTemporaryDir settings;  // nobody's, so that the picture is the same for everybody
-  MainWindow window({invocation.language, invocation.theme.value_or(Theme::Light),
-                     invocation.machine_file, settings.filePath(QStringLiteral("studio.ini"))});
+  SettingsStore::keep_in(settings.filePath(QStringLiteral("studio.ini")));
+  MainWindow window(
+      {invocation.language, invocation.theme.value_or(Theme::Light), invocation.machine_file});
   window.resize(invocation.picture->size);
   if (!invocation.file.isEmpty() && !window.open_file(invocation.file)) return kFailure;
   window.show();

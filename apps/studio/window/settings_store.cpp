@@ -12,7 +12,14 @@ constexpr int kStandardFontSize = 11;
 constexpr int kSmallestFont = 6;
 constexpr int kLargestFont = 48;
 
+/// Empty: the user's.
+QString& other_file() {
+  static QString file;
+  return file;
+}
+
 QString file_name() {
+  if (!other_file().isEmpty()) return other_file();
   return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
          QStringLiteral("/studio.ini");
 }
@@ -27,8 +34,9 @@ QString colour_key(Theme theme, const ColourRow& row) {
 
 }  // namespace
 
-SettingsStore::SettingsStore(const QString& file)
-    : file_(file.isEmpty() ? file_name() : file, QSettings::IniFormat) {}
+SettingsStore::SettingsStore() : file_(file_name(), QSettings::IniFormat) {}
+
+void SettingsStore::keep_in(const QString& file) { other_file() = file; }
 
 int SettingsStore::standard_font_size() { return kStandardFontSize; }
 

@@ -19,8 +19,10 @@ inline constexpr int kRecentFiles = 4;
 /// Panels keep theirs in groups of their own, through `panel`.
 class SettingsStore {
  public:
-  /// `file`: instead of the user's.
-  explicit SettingsStore(const QString& file = {});
+  SettingsStore();
+  /// From now on this process keeps its settings in another file than the user's: pictures and
+  /// tests are the same for everybody.
+  static void keep_in(const QString& file);
 
   /// As the system asks until a person has chosen.
   [[nodiscard]] Language language() const;
