@@ -19,6 +19,7 @@ class ToolRun : public QObject {
   /// A tool that stood at the end stands at the end of the new path, else after as many steps.
   void show_scene(ScenePtr scene);
 
+  [[nodiscard]] const ScenePtr& scene() const { return scene_; }  ///< that place() is in
   [[nodiscard]] ToolPlace place() const { return place_; }
   [[nodiscard]] std::size_t steps() const { return scene_ ? scene_->path.steps() : 0; }
   [[nodiscard]] bool is_at_end() const { return place_.steps == steps(); }

@@ -96,12 +96,11 @@ TransportBar::TransportBar(ToolRun& tool, QWidget* parent)
   retranslate();
 }
 
-void TransportBar::show_scene(ScenePtr scene) {
+void TransportBar::show_scene(const ScenePtr& scene) {
   constexpr double kSeconds = 20;
-  scene_ = std::move(scene);
-  if (!speed_is_chosen_ && scene_ && scene_->path.travel() > 0) {
+  if (!speed_is_chosen_ && scene && scene->path.travel() > 0) {
     const QSignalBlocker quiet(speed_);
-    speed_->setValue(rounded(scene_->path.travel() / kSeconds));
+    speed_->setValue(rounded(scene->path.travel() / kSeconds));
     tool_.set_speed(speed_->value());
   }
   refresh();
@@ -137,11 +136,12 @@ void TransportBar::refresh() {
 
 QString TransportBar::step_text() const {
   const std::size_t now = tool_.place().steps + (tool_.place().part > 0 ? 1 : 0);
+  const ScenePtr& scene = tool_.scene();
   QString text = tr("Step %1 of %2").arg(now).arg(tool_.steps());
-  if (!scene_ || tool_.place().part > 0 || tool_.steps() == 0) return text;
-  const Toolpath& path = *scene_->part->path();
-  const std::size_t first = now == 0 ? 0 : scene_->path.move(now - 1) + 1;
-  const std::size_t last = now == tool_.steps() ? path.moves.size() : scene_->path.move(now);
+  if (!scene || tool_.place().part > 0 || tool_.steps() == 0) return text;
+  const Toolpath& path = *scene->part->path();
+  const std::size_t first = now == 0 ? 0 : scene->path.move(now - 1) + 1;
+  const std::size_t last = now == tool_.steps() ? path.moves.size() : scene->path.move(now);
   const QString codes = codes_at(path, first, last);
   return codes.isEmpty() ? text : text + QStringLiteral("  ") + codes;
 }

@@ -20,7 +20,7 @@ class TransportBar : public QWidget {
   explicit TransportBar(ToolRun& tool, QWidget* parent = nullptr);
 
   /// The speed at which the whole way takes a while, until a person has set one.
-  void show_scene(ScenePtr scene);
+  void show_scene(const ScenePtr& scene);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -31,7 +31,6 @@ class TransportBar : public QWidget {
   [[nodiscard]] QString step_text() const;
 
   ToolRun& tool_;
-  ScenePtr scene_;
   bool speed_is_chosen_ = false;
   QToolButton* start_;
   QToolButton* back_;
