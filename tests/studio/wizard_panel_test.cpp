@@ -15,9 +15,17 @@
 #include "apps/studio/wizard/form_list.h"
 #include "lang/text/render.h"
 #include "tests/studio/qt_values.h"
+#include "tests/studio/studio_window.h"
 
 namespace dgt::studio {
 namespace {
+
+/// Of the tab that is shown.
+FormList* list_of(const WizardPanel& panel) {
+  for (FormList* const list : panel.findChildren<FormList*>())
+    if (list->isVisible()) return list;
+  return nullptr;
+}
 
 struct OpenWizard {
   OpenWizard() {
@@ -30,11 +38,7 @@ struct OpenWizard {
     auto* const bar = panel.findChild<QTabBar*>();
     QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(index).center());
   }
-  FormList* list() {
-    for (FormList* const list : panel.findChildren<FormList*>())
-      if (list->isVisible()) return list;
-    return nullptr;
-  }
+  FormList* list() { return list_of(panel); }
   /// Clicks the picture above the caption.
   void click(const QString& caption) {
     const auto items = list()->findItems(caption, Qt::MatchExactly);
@@ -177,6 +181,22 @@ TEST(WizardPanel, AnExampleGoesInWithFreeNumbers) {
   EXPECT_TRUE(text.startsWith(QStringLiteral("L5=Y0\nL2=X40\n"))) << text.toStdString();
   EXPECT_TRUE(text.endsWith(QStringLiteral("K1 W0.2 P2 L5 L-2 L-3 L4 L5 P2")))
       << text.toStdString();
+}
+
+class WizardInTheWindow : public StudioWindow {};
+
+TEST_F(WizardInTheWindow, LinesGoIntoTheProgramAndEscGoesBackToIt) {
+  type(QStringLiteral("L1=Y0"));
+  ASSERT_TRUE(compiled());
+  auto* const wizard = window->findChild<WizardPanel*>();
+  FormList* const list = list_of(*wizard);
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                    list->visualItemRect(list->item(0)).center());
+  for (const Qt::Key key : {Qt::Key_7, Qt::Key_2, Qt::Key_Space, Qt::Key_9, Qt::Key_Space})
+    press(key);
+  EXPECT_EQ(text(), QStringLiteral("L1=Y0\nL2=X72\nL3=X9"));
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(editor_has_keyboard());
 }
 
 TEST(ContourExamples, EachIsDrawn) {

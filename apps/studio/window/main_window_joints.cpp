@@ -162,6 +162,7 @@ void MainWindow::join_panels() {
   connect(p.nc, &NcPanel::punch_wanted, this,
           [this](const QByteArray& text) { punch(documents_->document().name(), text); });
   connect(p.wizard, &WizardPanel::line_finished, editor_, &SourceEditor::add_line);
+  connect(p.wizard, &WizardPanel::left, this, [this] { editor_->setFocus(); });
   connect(panels_, &Panels::left, this, [this] { editor_->setFocus(); });
 }
 
