@@ -39,7 +39,7 @@ DrawingPanel::DrawingPanel(QWidget* parent)
       canvas_(new Canvas(tool_, this)),
       readout_(new Readout(this)),
       transport_(new TransportBar(tool_, this)),
-      banner_(new QLabel(this)),
+      banner_(new QLabel(canvas_)),
       hint_(new ElidedLabel(this)) {
   make_controls();
   make_show_menu();
@@ -56,7 +56,6 @@ DrawingPanel::DrawingPanel(QWidget* parent)
   column->setSpacing(2);
   column->addWidget(readout_);
   column->addLayout(buttons);
-  column->addWidget(banner_);
   column->addWidget(canvas_, 1);
   column->addWidget(transport_);
   column->addWidget(hint_);
@@ -65,6 +64,12 @@ DrawingPanel::DrawingPanel(QWidget* parent)
   banner_->setTextFormat(Qt::PlainText);
   banner_->setContentsMargins(6, 4, 6, 4);
   banner_->setAutoFillBackground(true);
+  // Over the drawing and not above it: while a person types it comes and goes, and nothing jumps.
+  banner_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* over = new QVBoxLayout(canvas_);
+  over->setContentsMargins(0, 0, 0, 0);
+  over->addWidget(banner_);
+  over->addStretch(1);
   banner_->hide();
   hint_->setContentsMargins(4, 0, 4, 2);
   setFocusProxy(canvas_);
@@ -153,6 +158,8 @@ void DrawingPanel::take_scene(ScenePtr scene) {
   canvas_->show_scene(scene_);
   transport_->show_scene(scene_);
   readout_->show_scene(scene_);
+  lengths_.forget();
+  if (scene_->lengths) return;
   lengths_.ask([this, drawn = scene_]() -> Background::Outcome {
     return [this, lengths = way_lengths(*drawn->part->path())] { readout_->show_lengths(lengths); };
   });

@@ -58,7 +58,7 @@ Readout::Readout(QWidget* parent)
 void Readout::show_scene(const ScenePtr& scene) {
   part_ = scene ? scene->path.part_box() : Box{};
   all_ = scene ? scene->path.box() : Box{};
-  lengths_.reset();
+  lengths_ = scene ? scene->lengths : std::nullopt;
   refresh();
 }
 

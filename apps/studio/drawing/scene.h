@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/driver/drawn_path.h"
+#include "apps/driver/summary.h"
 #include "apps/studio/part.h"
 #include "post/svg_names.h"
 
@@ -17,6 +18,7 @@ struct Scene {
   PartPtr part;  ///< has a path
   DrawnPath path;
   std::vector<NamedShape> names;
+  std::optional<WayLengths> lengths;  ///< of a large part they take longer, and come later
 
   [[nodiscard]] std::size_t curves() const { return path.steps() + path.programmed().size(); }
 };
