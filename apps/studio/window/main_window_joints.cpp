@@ -153,6 +153,7 @@ void MainWindow::join_panels() {
   connect(fields_, &StatusFields::faults_wanted, this,
           [this] { panels_->show(Panels::Panel::Faults); });
   connect(p.drawing, &DrawingPanel::place_chosen, this, &MainWindow::go_to_place);
+  actions_->programmed->setChecked(p.drawing->canvas().shown().programmed);
   connect(p.drawing, &DrawingPanel::programmed_shown, actions_->programmed, &QAction::setChecked);
   connect(p.points, &PointsPanel::point_chosen, p.drawing, &DrawingPanel::light_point);
   connect(p.points, &PointsPanel::place_chosen, this, &MainWindow::go_to_place);
