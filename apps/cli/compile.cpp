@@ -5,6 +5,7 @@
 
 #include "apps/cli/machine_options.h"
 #include "apps/cli/session.h"
+#include "apps/cli/stage.h"
 #include "apps/cli/verbs.h"
 #include "apps/driver/write_messages.h"
 
@@ -50,7 +51,10 @@ ExitCode write_for(const Request& request, const PostOptions& post, const Consol
   }
   const auto made = load(request.file, request.source, settings->source, console);
   if (!made) return made.error();
-  const WriteResult written = write(*made->result.path, dialect);
+  const WriteResult written = [&] {
+    const Stage stage(console, Text::StageWriting, request.file);
+    return write(*made->result.path, dialect);
+  }();
   console.show(explain(written, dialect, *made), sources_of(*made));
   if (!written.faults.empty()) return ExitCode::InputErrors;
   const ExitCode code = write_result(request.output, written.text, console);

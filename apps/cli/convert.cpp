@@ -7,6 +7,7 @@
 #include "apps/cli/compile.h"
 #include "apps/cli/machine_options.h"
 #include "apps/cli/session.h"
+#include "apps/cli/stage.h"
 #include "apps/cli/verbs.h"
 #include "apps/driver/dgt_source.h"
 #include "apps/driver/write_messages.h"
@@ -51,7 +52,10 @@ ExitCode write_source(const Request& request, const Console& console) {
   if (!made) return made.error();
   if (!can_be_numbered(*made->result.path, console)) return ExitCode::InputErrors;
   const std::string title = std::filesystem::path(made->file->name()).filename();
-  const DgtSource source = write_dgt(*made->result.path, title);
+  const DgtSource source = [&] {
+    const Stage stage(console, Text::StageWriting, request.file);
+    return write_dgt(*made->result.path, title);
+  }();
   console.show(explain(source.written, language_as_dialect(), *made), sources_of(*made));
   if (!source.written.faults.empty()) return ExitCode::InputErrors;
   const ExitCode code = write_result(request.output, source.written.text, console);

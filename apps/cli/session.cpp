@@ -2,6 +2,7 @@
 #include "apps/cli/session.h"
 
 #include "apps/cli/machine_options.h"
+#include "apps/cli/stage.h"
 #include "kernel/check.h"
 
 namespace dgt::cli {
@@ -33,7 +34,10 @@ Step<Compilation> examine(const std::string& file, const SourceOptions& options,
   if (const auto known = expect_source(file, options, console); !known) {
     return tl::unexpected(known.error());
   }
-  auto made = compile_file(file, settings);
+  auto made = [&] {
+    const Stage stage(console, Text::StageReading, file);
+    return compile_file(file, settings);
+  }();
   if (!made) return tl::unexpected(report(made.error(), console));
   console.show(made->bag, sources_of(*made));
   return std::move(*made);

@@ -3,6 +3,7 @@
 
 #include "apps/cli/machine_options.h"
 #include "apps/cli/session.h"
+#include "apps/cli/stage.h"
 #include "apps/cli/verbs.h"
 #include "apps/driver/certificate.h"
 #include "apps/driver/nc_files.h"
@@ -63,7 +64,10 @@ ExitCode run(const VerifyOptions& options, const Console& console) {
   if (!against) return against.error();
   VerifyLimits limits = limits_of(settings->dialect);
   if (options.tolerance) limits.deviation = *parse_decimal(*options.tolerance);
-  const Certificate proof = verify(*program, *against, settings->dialect.name, limits);
+  const Certificate proof = [&] {
+    const Stage stage(console, Text::StageProving, request.file);
+    return verify(*program, *against, settings->dialect.name, limits);
+  }();
   const ExitCode code = write_result(
       request.output, options.json ? to_json(proof) : to_text(proof, console.language()), console);
   return code != ExitCode::Done || proof.holds() ? code : ExitCode::NotVerified;

@@ -46,11 +46,15 @@ const std::vector<Output> kMoreOutputs = {
     {".3b", {"compile", "--post", "3b"}},
     {".control", {"compile", "--post", "linuxcnc", "--compensation", "control"}},
 };
+/// What they are in the language, where a person looks at it.
+const Output kSource = {".dgt", {"convert", "--to", "dgt"}};
 
 std::vector<Output> outputs_of(const std::string& program) {
   std::vector<Output> outputs = kOutputs;
   if (std::ranges::find(kRichPrograms, program) != kRichPrograms.end())
     outputs.insert(outputs.end(), kMoreOutputs.begin(), kMoreOutputs.end());
+  const bool is_short = program != "dxf/blocks.dxf" && program != "dxf/spline.dxf";
+  if (is_short) outputs.push_back(kSource);
   return outputs;
 }
 
@@ -64,7 +68,8 @@ std::vector<std::string> programs() {
     fs::path name = entry.path().lexically_relative(folder());
     if (*name.begin() == "golden") continue;
     if (name.extension() == ".bgt") names.push_back(name.replace_extension().string());
-    if (name.extension() == ".ess" || name.extension() == ".cnc") names.push_back(name.string());
+    if (name.extension() == ".ess" || name.extension() == ".cnc" || name.extension() == ".dxf")
+      names.push_back(name.string());
   }
   std::ranges::sort(names);
   return names;
