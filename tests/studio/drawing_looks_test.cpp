@@ -106,15 +106,25 @@ TEST(DrawingLooks, WhatIsShownAndTheFactorAreRememberedForTheNextWindow) {
   EXPECT_DOUBLE_EQ(second.canvas().view().scale, 5 * scale);
 }
 
+/// Acts on the next dialog of that kind. It looks now and then and never waits: the loop of another
+/// dialog could not end meanwhile.
+template <class Dialog, class Act>
+void when_seen(Act act) {
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
+    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    timer->stop();
+    timer->deleteLater();
+    act(*dialog);
+  });
+  timer->start(10);
+}
+
 /// Types a name into the file dialog that comes up.
 void answer_with(const QString& name) {
-  QTimer::singleShot(0, [name] {
-    QFileDialog* dialog = nullptr;
-    ASSERT_TRUE(QTest::qWaitFor([&] {
-      dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      return dialog != nullptr;
-    }));
-    auto* edit = dialog->findChild<QLineEdit*>();
+  when_seen<QFileDialog>([name](QFileDialog& dialog) {
+    auto* edit = dialog.findChild<QLineEdit*>();
     edit->setText(name);
     QTest::keyClick(edit, Qt::Key_Return);
   });
@@ -140,14 +150,9 @@ TEST(DrawingLooks, ANameThatTellsNoKindOfDrawingIsRefused) {
   ShownPanel shown_panel(part_of(kRectangle));
   answer_with(QString::fromStdString(folder.name("drawing.doc")));
   QString said;
-  QTimer::singleShot(50, [&said] {
-    QMessageBox* box = nullptr;
-    ASSERT_TRUE(QTest::qWaitFor([&] {
-      box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      return box != nullptr;
-    }));
-    said = box->text();
-    box->accept();
+  when_seen<QMessageBox>([&said](QMessageBox& box) {
+    said = box.text();
+    box.accept();
   });
   shown_panel.panel.save_picture();
   EXPECT_TRUE(said.contains(QStringLiteral(".dxf")));
