@@ -95,6 +95,25 @@ TEST_F(Editing, ACureOfWhatHasChangedSinceIsNotPutInPlace) {
   EXPECT_EQ(text(), before);
 }
 
+TEST_F(Editing, ACureThatChangesWhatIsCutIsAskedAbout) {
+  const QString program = QStringLiteral(
+      "L1=X0\nL2=Y0\nL3=X40\nL4=Y30\nP1=X20 Y-5\nG54 P1\nK1 W0.1 P1 L2 R5 L-3 R5 L4 R5 L1 R5 L2 "
+      "P1");
+  type(program);
+  ASSERT_TRUE(compiled());
+  for (const char* const answer : {"Cancel", "Write"}) {
+    EXPECT_EQ(text(), program);
+    QString asked;
+    NextDialog dialog([&](QDialog& box) {
+      asked = qobject_cast<QMessageBox*>(&box)->informativeText();
+      click(box, QString::fromLatin1(answer));
+    });
+    press(Qt::Key_Return, Qt::AltModifier);
+    EXPECT_TRUE(asked.contains(QStringLiteral("L-4"))) << asked.toStdString();
+  }
+  EXPECT_TRUE(text().contains(QStringLiteral("R5 L-4 R5")));
+}
+
 TEST_F(Editing, FormattingIsOneStepOfUndo) {
   const QString rough = QStringLiteral("l1 = x 5 ,\n\n\np1=x0y0\n");
   window->editor().insertPlainText(rough);

@@ -139,6 +139,43 @@ TEST_F(MainWindowOfTheGuide, F1ExplainsTheWordAtTheCursor) {
   EXPECT_TRUE(shown);
 }
 
+TEST_F(MainWindowOfTheGuide, ShowsWhatItWillPrint) {
+  type(QStringLiteral("L1=X0\nP1=X0 Y0\nP2=X5 Y5\nG54 P1\nK1 P1 P2\n"));
+  ASSERT_TRUE(compiled());
+  for (QAction* const print : {window->actions().print_source, window->actions().print_drawing}) {
+    QImage page;
+    NextDialog dialog([&](QDialog& box) {
+      QTest::qWait(200);  // the preview paints its pages when it is seen
+      page = box.grab().toImage();
+      box.reject();
+    });
+    print->trigger();
+    EXPECT_TRUE(dialog.came());
+    EXPECT_FALSE(page.isNull());
+  }
+}
+
+TEST_F(MainWindowOfTheGuide, NoKeyOfAMenuIsGivenTwice) {
+  for (const bool russian : {false, true}) {
+    (russian ? window->actions().russian : window->actions().english)->trigger();
+    QCoreApplication::processEvents();
+    for (const QMenu* const menu : window->menuBar()->findChildren<QMenu*>()) {
+      QString taken;
+      for (const QAction* const action : menu->actions()) {
+        const QString text = action->text();
+        const qsizetype at = text.indexOf(u'&');
+        if (action->isSeparator() || at < 0 || !action->isVisible()) continue;
+        const QChar key = text[at + 1].toUpper();
+        EXPECT_FALSE(taken.contains(key))
+            << menu->title().toStdString() << ": " << text.toStdString();
+        taken += key;
+      }
+    }
+  }
+  window->actions().english->trigger();
+  QCoreApplication::processEvents();
+}
+
 TEST_F(MainWindowOfTheGuide, ABadMachineFileIsToldAndNotUsed) {
   folder.write("bad.toml", "rapid_spead = 5\n");
   window.reset();

@@ -70,7 +70,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
   previous_fault =
       add(QT_TR_NOOP("Previous mess&age"), nullptr, nullptr, key(Qt::SHIFT | Qt::Key_F4));
 
-  duplicate_tape = add(QT_TR_NOOP("&Duplicate tape…"), nullptr, "tape");
+  duplicate_tape = add(QT_TR_NOOP("Duplicate tape…"), nullptr, "tape");
   colours = add(QT_TR_NOOP("C&olours…"), nullptr, "colours");
   font_larger =
       add(QT_TR_NOOP("&Larger"), nullptr, nullptr,
@@ -83,7 +83,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
   auto* const themes = new QActionGroup(this);
   light = add_choice(themes, QT_TR_NOOP("&Light"));
   dark = add_choice(themes, QT_TR_NOOP("&Dark"));
-  live = add(QT_TR_NOOP("Draw while &typing"));
+  live = add(QT_TR_NOOP("Draw while t&yping"));
   live->setCheckable(true);
   machine = add(QT_TR_NOOP("&Machine settings…"));
 
@@ -95,7 +95,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
       add(QT_TR_NOOP("D&raw"), QT_TR_NOOP("Draw the path of the program"), "draw", key(Qt::Key_F5));
   nc = add(QT_TR_NOOP("&NC program"), QT_TR_NOOP("The program for a control"), "nc",
            key(Qt::Key_F8));
-  programmed = add(QT_TR_NOOP("&Programmed contour"),
+  programmed = add(QT_TR_NOOP("Programmed &contour"),
                    QT_TR_NOOP("Draw the path with the contour as programmed"), "programmed");
   programmed->setCheckable(true);
   menu = add(QT_TR_NOOP("Menu"), nullptr, nullptr, key(Qt::Key_F10));

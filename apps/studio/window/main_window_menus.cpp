@@ -34,7 +34,7 @@ void MainWindow::build_menus() {
   options->addSeparator();
   options->addActions({a.copy, a.cut, a.paste, a.select_all});
   options->addSeparator();
-  QMenu* const text = add(options, QT_TR_NOOP("&Text"));
+  QMenu* const text = add(options, QT_TR_NOOP("Te&xt"));
   text->addActions({a.find, a.replace, a.find_next, a.find_previous, a.go_to_line});
   text->addSeparator();
   text->addActions({a.complete, a.format});

@@ -100,7 +100,7 @@ void StatusFields::fill_encodings() {
 
 void StatusFields::fill_line_ends() {
   line_ends_->clear();
-  line_ends_->setTitle(tr("&Line ends"));
+  line_ends_->setTitle(tr("Line end&s"));
   auto* const group = new QActionGroup(line_ends_);
   for (const LineEnd end : kLineEnds) {
     QAction* const action = line_ends_->addAction(label_of(end));

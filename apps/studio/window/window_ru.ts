@@ -178,7 +178,7 @@
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation>Пе&amp;чать…</translation>
+        <translation>П&amp;ечать…</translation>
     </message>
     <message>
         <source>Print the source, or save it as PDF</source>
@@ -273,10 +273,6 @@
         <translation>Предыдущее сооб&amp;щение</translation>
     </message>
     <message>
-        <source>&amp;Duplicate tape…</source>
-        <translation>&amp;Дублирование перфоленты…</translation>
-    </message>
-    <message>
         <source>C&amp;olours…</source>
         <translation>&amp;Цвета…</translation>
     </message>
@@ -299,10 +295,6 @@
     <message>
         <source>&amp;Dark</source>
         <translation>&amp;Тёмная</translation>
-    </message>
-    <message>
-        <source>Draw while &amp;typing</source>
-        <translation>П&amp;рорисовка при вводе</translation>
     </message>
     <message>
         <source>&amp;Machine settings…</source>
@@ -341,10 +333,6 @@
         <translation>Программа в формате системы ЧПУ</translation>
     </message>
     <message>
-        <source>&amp;Programmed contour</source>
-        <translation>&amp;Безэквидистантный контур</translation>
-    </message>
-    <message>
         <source>Draw the path with the contour as programmed</source>
         <translation>Прорисовать траекторию с безэквидистантным контуром</translation>
     </message>
@@ -371,6 +359,18 @@
     <message>
         <source>&amp;About DGT Studio</source>
         <translation>&amp;О программе DGT Studio</translation>
+    </message>
+    <message>
+        <source>Duplicate tape…</source>
+        <translation>&amp;Дублирование перфоленты…</translation>
+    </message>
+    <message>
+        <source>Draw while t&amp;yping</source>
+        <translation>П&amp;рорисовка при вводе</translation>
+    </message>
+    <message>
+        <source>Programmed &amp;contour</source>
+        <translation>&amp;Безэквидистантный контур</translation>
     </message>
 </context>
 <context>
@@ -655,12 +655,8 @@ Your text is still here; save it elsewhere.</source>
         <translation>&amp;Опции</translation>
     </message>
     <message>
-        <source>&amp;Text</source>
-        <translation>Т&amp;екст</translation>
-    </message>
-    <message>
         <source>Pa&amp;nels</source>
-        <translation>О&amp;кна</translation>
+        <translation>Ок&amp;на</translation>
     </message>
     <message>
         <source>&amp;Font size</source>
@@ -689,6 +685,10 @@ Your text is still here; save it elsewhere.</source>
     <message>
         <source>The NC program was changed by hand and is not saved. Save it?</source>
         <translation>Программа ЧПУ изменена вручную и не сохранена. Сохранить её?</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>Т&amp;екст</translation>
     </message>
 </context>
 <context>
@@ -745,10 +745,6 @@ Your text is still here; save it elsewhere.</source>
         <translation>Сохранить как</translation>
     </message>
     <message>
-        <source>&amp;Line ends</source>
-        <translation>Концы строк (&amp;L)</translation>
-    </message>
-    <message>
         <source>line %1, column %2</source>
         <translation>строка %1, столбец %2</translation>
     </message>
@@ -767,6 +763,10 @@ Your text is still here; save it elsewhere.</source>
     <message>
         <source>warnings: %1</source>
         <translation>предупреждений: %1</translation>
+    </message>
+    <message>
+        <source>Line end&amp;s</source>
+        <translation>Концы строк (&amp;L)</translation>
     </message>
 </context>
 </TS>
