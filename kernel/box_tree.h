@@ -11,20 +11,20 @@
 namespace dgt {
 
 /// An axis-parallel box in mm.
-struct Box {
+struct Bounds {
   double min_x = 0;
   double min_y = 0;
   double max_x = 0;
   double max_y = 0;
 
-  [[nodiscard]] Box united(const Box& b) const {
+  [[nodiscard]] Bounds united(const Bounds& b) const {
     return {std::min(min_x, b.min_x), std::min(min_y, b.min_y), std::max(max_x, b.max_x),
             std::max(max_y, b.max_y)};
   }
-  [[nodiscard]] Box grown(double by) const {
+  [[nodiscard]] Bounds grown(double by) const {
     return {min_x - by, min_y - by, max_x + by, max_y + by};
   }
-  [[nodiscard]] bool overlaps(const Box& b) const {
+  [[nodiscard]] bool overlaps(const Bounds& b) const {
     return min_x <= b.max_x && b.min_x <= max_x && min_y <= b.max_y && b.min_y <= max_y;
   }
 };
@@ -35,7 +35,7 @@ struct Box {
 /// then what comes within a part in ten million of it.
 class BoxTree {
  public:
-  explicit BoxTree(const std::vector<Box>& boxes)
+  explicit BoxTree(const std::vector<Bounds>& boxes)
       : BoxTree(boxes.size(), [&](std::size_t i) { return boxes[i]; }) {}
   /// `box_of(i)` for each i below `count`.
   template <class BoxOf>
@@ -47,7 +47,7 @@ class BoxTree {
 
   /// Calls `visit(index)` for each box that overlaps `box`, in contour order.
   template <class Visit>
-  void overlapping(const Box& box, Visit&& visit) const {
+  void overlapping(const Bounds& box, Visit&& visit) const {
     if (!levels_.front().empty()) descend(levels_.size() - 1, 0, outward(box), visit);
   }
 
@@ -106,7 +106,7 @@ class BoxTree {
 
   /// A float is nearest within 2⁻²⁴ of its size; twice that and the smallest normal number cover
   /// it.
-  static FloatBox outward(const Box& box) {
+  static FloatBox outward(const Bounds& box) {
     const auto low = [](double v) {
       return static_cast<float>(v - std::fabs(v) * 0x1p-23) - std::numeric_limits<float>::min();
     };

@@ -251,7 +251,7 @@ class Trim {
   }
 
   void find_nodes() {
-    std::vector<Box> boxes;
+    std::vector<Bounds> boxes;
     for (Strand& s : strands_) {
       boxes.push_back(box_around(s.stretch));
       s.nodes = {node(s.stretch.from), node(s.stretch.to)};

@@ -7,8 +7,8 @@
 namespace dgt {
 namespace {
 
-std::vector<Box> boxes_of(const std::vector<CutPiece>& pieces) {
-  std::vector<Box> boxes;
+std::vector<Bounds> boxes_of(const std::vector<CutPiece>& pieces) {
+  std::vector<Bounds> boxes;
   boxes.reserve(pieces.size());
   for (const CutPiece& p : pieces) boxes.push_back(box_around(p.stretch));
   return boxes;

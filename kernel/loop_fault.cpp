@@ -149,8 +149,8 @@ class LoopEdges {
     }
     return edges;
   }
-  [[nodiscard]] std::vector<Box> boxes() {
-    std::vector<Box> all;
+  [[nodiscard]] std::vector<Bounds> boxes() {
+    std::vector<Bounds> all;
     all.reserve(edges_.size());
     for (const Edge& e : edges_) {
       all.push_back(e.balls.box);

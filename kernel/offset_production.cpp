@@ -50,7 +50,7 @@ class OffsetEngine {
         counts_(counts),
         curve_(*source_),
         tree_(curve_.size(), [this](std::size_t i) {
-          const Box box = curve_.box(static_cast<std::uint32_t>(i));
+          const Bounds box = curve_.box(static_cast<std::uint32_t>(i));
           right_ = std::max(right_, box.max_x);
           return box;
         }) {
@@ -363,8 +363,8 @@ class OffsetEngine {
     bool decided = true;
     const double y = coarse(middle->y);
     const double slack = middle->rad + 0x1p-52 * std::fabs(y);
-    const Box box{coarse(middle->x) - slack - 0x1p-52 * std::fabs(coarse(middle->x)), y - slack,
-                  right_ + 1, y + slack};
+    const Bounds box{coarse(middle->x) - slack - 0x1p-52 * std::fabs(coarse(middle->x)), y - slack,
+                     right_ + 1, y + slack};
     tree_.overlapping(box, [&](std::size_t i) {
       if (!decided) return;
       const auto other = static_cast<std::uint32_t>(i);

@@ -24,16 +24,16 @@ RationalPoint moved(const RationalPoint& p, const UnitVector& normal, const Rati
   return p + distance * normal.vector();
 }
 
-Box box_of(const OffsetLoop& loop) {
+Bounds box_of(const OffsetLoop& loop) {
   const Point& first = loop.pieces.front().from;
-  Box box{first.x(), first.y(), first.x(), first.y()};
+  Bounds box{first.x(), first.y(), first.x(), first.y()};
   for (const OffsetPiece& piece : loop.pieces)
     box = box.united({piece.to.x(), piece.to.y(), piece.to.x(), piece.to.y()});
   return box;
 }
 
 bool is_sliver(const OffsetLoop& loop) {
-  const Box box = box_of(loop);
+  const Bounds box = box_of(loop);
   // A loop of two arcs spans its box between two vertices only; its area tells a disc from a
   // sliver.
   return box.max_x - box.min_x <= kOffsetResolution && box.max_y - box.min_y <= kOffsetResolution;
@@ -64,7 +64,7 @@ RationalPoint point_inside(const OffsetPiece& piece) {
 bool may_have_voids(const std::vector<Chain>& loops, const Rational& distance) {
   const double width = 2 * nearest_double(distance) + kOffsetResolution;
   return std::any_of(loops.begin(), loops.end(), [&](const Chain& loop) {
-    Box box{1e300, 1e300, -1e300, -1e300};
+    Bounds box{1e300, 1e300, -1e300, -1e300};
     for (const ChainEdge& e : loop.edges) {
       const double x = nearest_double(e.from.x);
       const double y = nearest_double(e.from.y);
@@ -161,7 +161,7 @@ std::vector<RawPiece> chamfer(const ChainEdge& edge, const ChainEdge& next,
           segment_between(end, moved(edge.to, next.start, distance))};
 }
 
-Spot spot(const RationalPoint& p) { return {p.x.get_d(), p.y.get_d()}; }
+CoarsePoint spot(const RationalPoint& p) { return {p.x.get_d(), p.y.get_d()}; }
 
 /// From `end` of an edge, moved, with its normal there, to a place on its support: along the line,
 /// or along the arc through both that has this normal (chain.h): the edge's own circle but for what
@@ -189,7 +189,7 @@ std::vector<RawPiece> sharp_corner(const ChainEdge& edge, const ChainEdge& next,
   if (inside_out(edge) || inside_out(next)) return {};
   const RawPiece before = raw_edge(edge, distance).value();
   const RawPiece behind = raw_edge(next, distance).value();
-  const Spot corner = spot(edge.to);
+  const CoarsePoint corner = spot(edge.to);
   const auto far = [&](const ExactPoint& p) {
     return std::hypot(nearest_double(p.x) - corner.x, nearest_double(p.y) - corner.y);
   };
@@ -210,7 +210,8 @@ std::vector<RawPiece> sharp_corner(const ChainEdge& edge, const ChainEdge& next,
 
 }  // namespace
 
-bool is_ahead(Spot at, Spot from, Spot before, Spot to, Spot behind, Spot corner, double limit) {
+bool is_ahead(CoarsePoint at, CoarsePoint from, CoarsePoint before, CoarsePoint to,
+              CoarsePoint behind, CoarsePoint corner, double limit) {
   constexpr double kRoom = 1 + 1e-12;
   return (at.x - from.x) * before.x + (at.y - from.y) * before.y > 0 &&
          (to.x - at.x) * behind.x + (to.y - at.y) * behind.y > 0 &&

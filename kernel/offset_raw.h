@@ -35,15 +35,15 @@ struct RawPiece {
                                               const Rational& distance,
                                               const OffsetOptions& options);
 
-struct Spot {
+struct CoarsePoint {
   double x = 0;
   double y = 0;
 };
 /// Whether two equidistants that end in `from` with the heading `before`, and begin in `to` with
 /// `behind`, meet in `at` when they are prolonged, not too far from the corner. Both engines ask
 /// this of the same doubles but for their last bits; the limit has room for those.
-[[nodiscard]] bool is_ahead(Spot at, Spot from, Spot before, Spot to, Spot behind, Spot corner,
-                            double limit);
+[[nodiscard]] bool is_ahead(CoarsePoint at, CoarsePoint from, CoarsePoint before, CoarsePoint to,
+                            CoarsePoint behind, CoarsePoint corner, double limit);
 
 /// The winding number of the region left of the loops: 1 inside an outermost counter-clockwise
 /// loop, 0 where the region reaches to infinity.

@@ -189,7 +189,7 @@ std::vector<Strand<Fine>> chamfer(const EnclosedEdge<Fine>& e, const EnclosedEdg
           segment_between(end, e.to + d * next.start)};
 }
 
-Spot spot(const EnclosedVector<Fine>& v) { return {v.x.hi, v.y.hi}; }
+CoarsePoint spot(const EnclosedVector<Fine>& v) { return {v.x.hi, v.y.hi}; }
 
 std::vector<Strand<Fine>> sharp_corner(const EnclosedEdge<Fine>& e, const EnclosedEdge<Fine>& next,
                                        const Enclosed<Fine>& d, double limit) {
@@ -199,7 +199,7 @@ std::vector<Strand<Fine>> sharp_corner(const EnclosedEdge<Fine>& e, const Enclos
   if (inside_out(e) || inside_out(next)) return {};
   Strand<Fine> before = moved(e, e.start, d);
   Strand<Fine> behind = moved(next, next.start, d);
-  const Spot corner = spot(e.to);
+  const CoarsePoint corner = spot(e.to);
   const EnclosedVector<Fine>* nearest = nullptr;
   const auto far = [&](const EnclosedVector<Fine>& p) {
     return std::hypot(p.x.hi - corner.x, p.y.hi - corner.y);
@@ -386,9 +386,9 @@ std::vector<Chain> OffsetSource::exact_loops() const {
   return chains;
 }
 
-Joint OffsetSource::sharp_joint(std::uint32_t i) const {
+JointTurn OffsetSource::sharp_joint(std::uint32_t i) const {
   const Rational turn = cross(exact_edge(i).end.vector(), exact_edge(next(i)).start.vector());
-  return sgn(turn) > 0 ? Joint::Left : Joint::Right;
+  return sgn(turn) > 0 ? JointTurn::Left : JointTurn::Right;
 }
 
 bool OffsetSource::turns_by_rounding(std::uint32_t i, double turn) const {
@@ -401,13 +401,13 @@ bool OffsetSource::turns_by_rounding(std::uint32_t i, double turn) const {
   return turn * chord <= kVertexRounding * (std::fabs(at.x) + std::fabs(at.y));
 }
 
-Joint OffsetSource::joint(std::uint32_t i) const {
+JointTurn OffsetSource::joint(std::uint32_t i) const {
   return joint(i, in_doubles(i), in_doubles(next(i)));
 }
 
 std::vector<Strand<DoubleDouble>> OffsetSource::corner_parts(
     std::uint32_t i, const Enclosed<DoubleDouble>& d) const {
-  if (options_.corner == OffsetCorner::Round || joint(i) != Joint::Right) return {};
+  if (options_.corner == OffsetCorner::Round || joint(i) != JointTurn::Right) return {};
   const auto e = edge(i);
   const auto behind = edge(next(i));
   return options_.corner == OffsetCorner::Chamfer
@@ -423,7 +423,7 @@ Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDoubl
     return corner(e, edge(next(key.edge())), joint(key.edge()), d);
   }
   const std::uint32_t before = previous(key.edge());
-  const bool tangent = joint(before) == Joint::Tangent;
+  const bool tangent = joint(before) == JointTurn::Tangent;
   Strand<DoubleDouble> s = moved(e, tangent ? edge(before).end : e.start, d);
   if (shrinks_to_chord(in_doubles(key.edge()))) s.is_line = true;
   return s;
@@ -444,7 +444,7 @@ RationalPoint OffsetSource::exact_beginning(RawKey key) const {
     return piece ? piece->from : e.to + distance_ * e.end.vector();
   }
   const std::uint32_t before = previous(key.edge());
-  const bool tangent = joint(before) == Joint::Tangent;
+  const bool tangent = joint(before) == JointTurn::Tangent;
   return e.from + distance_ * (tangent ? exact_edge(before).end : e.start).vector();
 }
 

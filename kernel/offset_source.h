@@ -55,7 +55,7 @@ template <class Real>
 }
 
 /// How the normal goes on behind an edge.
-enum class Joint : std::uint8_t { Tangent, Left, Right };
+enum class JointTurn : std::uint8_t { Tangent, Left, Right };
 
 /// `normal` is that at the beginning, which a tangent joint shares with the edge before.
 template <class Real>
@@ -76,14 +76,14 @@ template <class Real>
 
 template <class Real>
 [[nodiscard]] Strand<Real> corner(const EnclosedEdge<Real>& e, const EnclosedEdge<Real>& next,
-                                  Joint joint, const Enclosed<Real>& distance) {
+                                  JointTurn joint, const Enclosed<Real>& distance) {
   Strand<Real> s;
   s.is_line = false;
   s.centre = e.to;
   s.radius = distance;
   s.from = e.to + distance * e.end;
   s.to = e.to + distance * next.start;
-  s.counter_clockwise = joint == Joint::Left;
+  s.counter_clockwise = joint == JointTurn::Left;
   return s;
 }
 
@@ -132,8 +132,8 @@ class OffsetSource {
 
   /// The joint behind edge `i`, `e`; both it and the next one in doubles are known already. An edge
   /// that doubles back on itself turns to the left.
-  [[nodiscard]] Joint joint(std::uint32_t i, const EdgeInDoubles& e,
-                            const EdgeInDoubles& next) const;
+  [[nodiscard]] JointTurn joint(std::uint32_t i, const EdgeInDoubles& e,
+                                const EdgeInDoubles& next) const;
   /// Strands of a corner that the options make other than one arc; none where it is one.
   [[nodiscard]] std::vector<Strand<DoubleDouble>> corner_parts(
       std::uint32_t i, const Enclosed<DoubleDouble>& distance) const;
@@ -154,9 +154,9 @@ class OffsetSource {
 
  private:
   void set_distance();
-  [[nodiscard]] Joint joint(std::uint32_t i) const;
+  [[nodiscard]] JointTurn joint(std::uint32_t i) const;
   /// The joint behind edge `i` by its exact normals, which are not one.
-  [[nodiscard]] Joint sharp_joint(std::uint32_t i) const;
+  [[nodiscard]] JointTurn sharp_joint(std::uint32_t i) const;
   /// Whether the edges about the end of edge `i` may turn so far by the rounding of their vertices.
   [[nodiscard]] bool turns_by_rounding(std::uint32_t i, double turn) const;
   /// Where the edge stands in the order in which it came.
@@ -174,16 +174,16 @@ class OffsetSource {
   bool is_slit_ = false;
 };
 
-inline Joint OffsetSource::joint(std::uint32_t i, const EdgeInDoubles& e,
-                                 const EdgeInDoubles& next) const {
+inline JointTurn OffsetSource::joint(std::uint32_t i, const EdgeInDoubles& e,
+                                     const EdgeInDoubles& next) const {
   const double turn = e.end_x * next.start_y - e.end_y * next.start_x;
   const double ahead = e.end_x * next.start_x + e.end_y * next.start_y;
   // Components up to 1 on both sides, and three roundings.
   const double rad = 2.1 * (e.normal_rad + next.normal_rad) + 0x1p-51;
   const double most = std::fabs(turn) + rad;
   if (most <= kLargestRounding && ahead > 0 && (most <= kTangent || turns_by_rounding(i, most)))
-    return Joint::Tangent;
-  if (std::fabs(turn) > rad) return turn > 0 ? Joint::Left : Joint::Right;
+    return JointTurn::Tangent;
+  if (std::fabs(turn) > rad) return turn > 0 ? JointTurn::Left : JointTurn::Right;
   return sharp_joint(i);
 }
 

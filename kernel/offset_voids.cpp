@@ -18,12 +18,12 @@ namespace {
 
 using Loop = std::span<const RegionPiece>;
 
-constexpr Box kNowhere{
+constexpr Bounds kNowhere{
     std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
 bool is_sliver(Loop loop) {
-  Box box = kNowhere;
+  Bounds box = kNowhere;
   for (const RegionPiece& p : loop) box = box.united({p.x, p.y, p.x, p.y});
   return box.max_x - box.min_x <= kOffsetResolution && box.max_y - box.min_y <= kOffsetResolution;
 }
@@ -70,9 +70,9 @@ double distance_from(const EdgeInDoubles& e, Place to, Place p) {
   return (e.counter_clockwise ? side < 0 : side > 0) ? std::fabs(off - r) : ends;
 }
 
-Box box_of(const EdgeInDoubles& e, Place to) {
-  const Box ends{std::min(e.x, to.x), std::min(e.y, to.y), std::max(e.x, to.x),
-                 std::max(e.y, to.y)};
+Bounds box_of(const EdgeInDoubles& e, Place to) {
+  const Bounds ends{std::min(e.x, to.x), std::min(e.y, to.y), std::max(e.x, to.x),
+                    std::max(e.y, to.y)};
   // An arc of at most half a turn leaves its chord by no more than half of it.
   return e.is_line ? ends : ends.grown(0.5 * std::hypot(to.x - e.x, to.y - e.y));
 }
@@ -91,7 +91,7 @@ class Edges {
     const std::uint32_t next = on.part() > 0 ? source_.next(on.edge()) : on.edge();
     bool nearer = false;
     bool about = false;
-    tree_.overlapping(Box{p.x, p.y, p.x, p.y}.grown(reach), [&](std::size_t i) {
+    tree_.overlapping(Bounds{p.x, p.y, p.x, p.y}.grown(reach), [&](std::size_t i) {
       if (i == on.edge() || i == next) return;
       const auto edge = static_cast<std::uint32_t>(i);
       const double off = distance_from(source_.in_doubles(edge), end_of(source_, edge), p) - reach;
@@ -119,7 +119,7 @@ class Edges {
 bool may_have_voids(const OffsetSource& source) {
   const double width = 2 * source.decisive_distance<double>().mid + kOffsetResolution;
   for (std::size_t loop = 0; loop < source.loops(); ++loop) {
-    Box box = kNowhere;
+    Bounds box = kNowhere;
     for (std::uint32_t i = source.first(loop); i < source.first(loop + 1); ++i) {
       const EdgeInDoubles e = source.in_doubles(i);
       box = box.united({e.x, e.y, e.x, e.y});

@@ -138,7 +138,7 @@ class PartWalls {
   }
 
  private:
-  static double extent(const Box& box) {
+  static double extent(const Bounds& box) {
     return std::hypot(box.max_x - box.min_x, box.max_y - box.min_y);
   }
   static std::vector<Wall> walls_of(const Toolpath& path) {
@@ -147,8 +147,8 @@ class PartWalls {
     for (Wall& wall : walls) wall.balls = balls_of(wall.stretch);
     return walls;
   }
-  [[nodiscard]] std::vector<Box> boxes() const {
-    std::vector<Box> all;
+  [[nodiscard]] std::vector<Bounds> boxes() const {
+    std::vector<Bounds> all;
     all.reserve(walls_.size());
     for (const Wall& wall : walls_) all.push_back(wall.balls.box);
     return all;
@@ -178,7 +178,7 @@ class PartWalls {
       const double y0 = piece.y0 + dy * (k / parts);
       const double x1 = piece.x0 + dx * ((k + 1) / parts);
       const double y1 = piece.y0 + dy * ((k + 1) / parts);
-      const Box box{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)};
+      const Bounds box{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)};
       tree_.overlapping(box.grown(std::min(reach, widest_) + slack),
                         [&](std::size_t i) { near.push_back(i); });
     }

@@ -200,8 +200,8 @@ Piece piece_of(const Move& move) {
   return piece_of(stretch_of(move));
 }
 
-Box box_around(const Stretch& stretch) {
-  const Box box = box_of(piece_of(stretch));
+Bounds box_around(const Stretch& stretch) {
+  const Bounds box = box_of(piece_of(stretch));
   // Coordinates are correctly rounded, and an extreme place taken for outside the sector lies
   // nearer to an end than rounding: a few units in the last place of the largest number cover all
   // of it.
@@ -211,8 +211,9 @@ Box box_around(const Stretch& stretch) {
   return box.grown(size * 0x1p-44);
 }
 
-Box box_of(const Piece& p) {
-  Box box{std::min(p.x0, p.x1), std::min(p.y0, p.y1), std::max(p.x0, p.x1), std::max(p.y0, p.y1)};
+Bounds box_of(const Piece& p) {
+  Bounds box{std::min(p.x0, p.x1), std::min(p.y0, p.y1), std::max(p.x0, p.x1),
+             std::max(p.y0, p.y1)};
   if (!p.arc) return box;
   const double r = std::fabs(p.radius);
   if (in_sector(p, 1, 0)) box.max_x = std::max(box.max_x, p.cx + r);

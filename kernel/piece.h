@@ -24,7 +24,7 @@ struct Approach {
 };
 
 [[nodiscard]] Piece piece_of(const Move& move);
-[[nodiscard]] Box box_of(const Piece& piece);
+[[nodiscard]] Bounds box_of(const Piece& piece);
 /// Whether the ray from the arc's centre along (dx, dy) meets it. Precondition: an arc.
 [[nodiscard]] bool in_sector(const Piece& arc, double dx, double dy);
 /// The nearest places of two pieces, in plain floating point: what is told to a person. Whether the

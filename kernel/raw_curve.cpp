@@ -47,7 +47,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
 
   const EdgeInDoubles first_edge = source.in_doubles(first);
   std::array<EdgeInDoubles, 2> edges = {source.in_doubles(end - 1), first_edge};
-  Joint joint = source.joint(end - 1, edges[0], edges[1]);
+  JointTurn joint = source.joint(end - 1, edges[0], edges[1]);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   double twice_area = 0;
@@ -58,7 +58,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     const EdgeInDoubles& e = edges[(i - first + 1) % 2];
     RawStrand& s = strands_.emplace_back();
     const double size = std::fabs(e.x) + std::fabs(e.y);
-    if (joint == Joint::Tangent)
+    if (joint == JointTurn::Tangent)
       begin_at(s, e.x, e.y, next.end_x, next.end_y, moved_rad(next, size, d));
     else
       begin_at(s, e.x, e.y, e.start_x, e.start_y, moved_rad(e, size, d));
@@ -82,8 +82,8 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     if (!e.is_line)
       most_of_arcs += (next.x - e.x) * (next.x - e.x) + (next.y - e.y) * (next.y - e.y);
     joint = source.joint(i, e, next);
-    if (joint == Joint::Tangent) continue;
-    if (joint == Joint::Right && source.options().corner != OffsetCorner::Round &&
+    if (joint == JointTurn::Tangent) continue;
+    if (joint == JointTurn::Right && source.options().corner != OffsetCorner::Round &&
         lay_corner(source, i))
       continue;
     const double to_size = std::fabs(next.x) + std::fabs(next.y);
@@ -91,7 +91,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     begin_at(c, next.x, next.y, e.end_x, e.end_y, moved_rad(e, to_size, d));
     c.key = RawKey(i, 1);
     c.is_line = false;
-    c.counter_clockwise = joint == Joint::Left;
+    c.counter_clockwise = joint == JointTurn::Left;
     c.centre_x = next.x;
     c.centre_y = next.y;
     c.centre_rad = rounded_up(0x1p-52 * to_size);
@@ -145,14 +145,14 @@ std::uint32_t RawCurve::next(std::uint32_t strand) const {
   return strands_[strand].last ? first_[loop_of(strand)] : strand + 1;
 }
 
-Box RawCurve::box(std::uint32_t i) const {
+Bounds RawCurve::box(std::uint32_t i) const {
   const RawStrand& s = strands_[i];
   if (s.rise < 0) {
     constexpr double kFar = 1e30;  // within a float
     return {kFar, kFar, -kFar, -kFar};
   }
   const RawStrand& to = strands_[i + 1];
-  Box box{std::min(s.x, to.x), std::min(s.y, to.y), std::max(s.x, to.x), std::max(s.y, to.y)};
+  Bounds box{std::min(s.x, to.x), std::min(s.y, to.y), std::max(s.x, to.x), std::max(s.y, to.y)};
   const double out = (static_cast<double>(s.ends_rad) + s.centre_rad + s.radius_rad) * kUp;
   if (!s.is_line) {
     // The arc reaches an extreme of its circle unless that lies surely to the chord's other side.

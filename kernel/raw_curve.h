@@ -54,7 +54,7 @@ class RawCurve {
 
   [[nodiscard]] Strand<double> strand(std::uint32_t i) const;
   /// Holds the whole strand; empty for an end.
-  [[nodiscard]] Box box(std::uint32_t i) const;
+  [[nodiscard]] Bounds box(std::uint32_t i) const;
   /// Whether two strands surely do not meet, by the sides of their chords alone.
   [[nodiscard]] bool surely_apart(std::uint32_t a, std::uint32_t b) const;
 

@@ -22,7 +22,7 @@ struct Stretch {
 /// The same in doubles, for measuring.
 [[nodiscard]] Piece piece_of(const Stretch& stretch);
 /// A box that surely holds the stretch.
-[[nodiscard]] Box box_around(const Stretch& stretch);
+[[nodiscard]] Bounds box_around(const Stretch& stretch);
 
 /// Whether `p`, a place of the carrier, lies on the stretch; the ends belong to it.
 [[nodiscard]] bool covers(const Stretch& stretch, const Point& p);
@@ -42,7 +42,7 @@ struct StretchBalls {
   Ball first_x, first_y;             ///< an arc covers the directions from here counter-clockwise
   Ball last_x, last_y;               ///< to here, both from the centre
   bool whole = false, wide = false;  ///< a full circle; more than half a turn
-  Box box;
+  Bounds box;
 };
 [[nodiscard]] StretchBalls balls_of(const Stretch& stretch);
 

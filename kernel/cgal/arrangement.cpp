@@ -133,7 +133,7 @@ class Boundary {
   [[nodiscard]] const OddFace& corner() const { return corner_; }
 
  private:
-  static Box box_of(Halfedge e) {
+  static Bounds box_of(Halfedge e) {
     const auto box = e->curve().bbox();
     return {box.xmin(), box.ymin(), box.xmax(), box.ymax()};
   }
@@ -150,7 +150,7 @@ class Boundary {
     found_ = true;
   }
 
-  Box all_;
+  Bounds all_;
   OddFace corner_;
   bool found_ = false;
 };

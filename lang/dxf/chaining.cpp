@@ -24,7 +24,7 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 class Chaining {
  public:
-  Chaining(std::vector<Strand> strands, const DxfOptions& options, DiagnosticBag& bag)
+  Chaining(std::vector<DxfStrand> strands, const DxfOptions& options, DiagnosticBag& bag)
       : strands_(std::move(strands)), options_(options), bag_(bag) {}
 
   std::vector<DxfContour> run() {
@@ -43,7 +43,7 @@ class Chaining {
  private:
   // End 2i is where strand i begins, 2i + 1 where it ends.
   [[nodiscard]] const RationalPoint& place(std::size_t end) const {
-    const Strand& strand = strands_[end / 2];
+    const DxfStrand& strand = strands_[end / 2];
     return end % 2 == 0 ? strand.pieces.front().from : strand.pieces.back().to;
   }
   static std::size_t other_end(std::size_t end) { return end ^ 1U; }
@@ -124,7 +124,7 @@ class Chaining {
   /// A single segment, or short arc, does not close on itself.
   [[nodiscard]] bool can_join(std::size_t a, std::size_t b) const {
     if (a / 2 != b / 2) return true;
-    const Strand& strand = strands_[a / 2];
+    const DxfStrand& strand = strands_[a / 2];
     if (strand.pieces.size() > 1) return true;
     const DxfPiece& piece = strand.pieces.front();
     if (!piece.circle) return false;
@@ -195,7 +195,7 @@ class Chaining {
     const bool closed = is_round || (group_of_[begin] == group_of_[last] && begin != last);
     if (runs_backward(entries)) turn_round(entries, is_round);
     for (const std::size_t end : entries) {
-      Strand& strand = strands_[end / 2];
+      DxfStrand& strand = strands_[end / 2];
       joining_.add(end % 2 == 0 ? std::move(strand) : reversed(strand));
     }
     if (closed) joining_.close();
@@ -220,7 +220,7 @@ class Chaining {
     if (is_round) std::ranges::rotate(entries, entries.end() - 1);
   }
 
-  std::vector<Strand> strands_;
+  std::vector<DxfStrand> strands_;
   const DxfOptions& options_;
   DiagnosticBag& bag_;
   std::vector<RationalPoint> places_;
@@ -238,15 +238,15 @@ class DrawnOrder {
   DrawnOrder(const DxfOptions& options, DiagnosticBag& bag)
       : tolerance_(options.join_tolerance), bag_(bag) {}
 
-  std::vector<DxfContour> run(std::vector<Strand> strands) {
-    for (Strand& strand : strands) add(std::move(strand));
+  std::vector<DxfContour> run(std::vector<DxfStrand> strands) {
+    for (DxfStrand& strand : strands) add(std::move(strand));
     flush();
     joining_.tell_gaps(bag_);
     return std::move(contours_);
   }
 
  private:
-  void add(Strand strand) {
+  void add(DxfStrand strand) {
     if (joining_.empty()) return begin(std::move(strand));
     if (const auto entered = entered_here(strand)) return go_on(*entered);
     if (first_may_turn_) {
@@ -258,17 +258,17 @@ class DrawnOrder {
     begin(std::move(strand));
   }
 
-  void begin(Strand strand) {
+  void begin(DxfStrand strand) {
     first_may_turn_ = !strand.directed && !strand.closed;
     joining_.add(std::move(strand));
   }
-  void go_on(const Strand& strand) {
+  void go_on(const DxfStrand& strand) {
     first_may_turn_ = false;
     joining_.add(strand);
   }
 
   /// The strand as it goes on from where the path stands; nothing when it does not.
-  [[nodiscard]] std::optional<Strand> entered_here(const Strand& strand) const {
+  [[nodiscard]] std::optional<DxfStrand> entered_here(const DxfStrand& strand) const {
     const RationalPoint& at = joining_.end();
     if (strand.pieces.front().is_whole_circle()) return circle_from(strand, at);
     const bool begins_here = are_within(at, strand.pieces.front().from, tolerance_);
@@ -278,8 +278,8 @@ class DrawnOrder {
   }
 
   /// Once round from there; two circles cannot both be turned to meet.
-  [[nodiscard]] std::optional<Strand> circle_from(const Strand& strand,
-                                                  const RationalPoint& at) const {
+  [[nodiscard]] std::optional<DxfStrand> circle_from(const DxfStrand& strand,
+                                                     const RationalPoint& at) const {
     if (joining_.ends_in_circle()) return std::nullopt;
     const Circle& circle = *strand.pieces.front().circle;
     const Vector out = at - circle.centre();
@@ -287,7 +287,7 @@ class DrawnOrder {
     const RationalPoint begin =
         circle.centre() + abs(circle.radius()) * direction_of(out).unit.vector();
     if (!are_within(at, begin, tolerance_)) return std::nullopt;
-    Strand turned = strand;
+    DxfStrand turned = strand;
     turned.pieces.front().from = turned.pieces.front().to = begin;
     turned.closed = false;
     return turned;
@@ -308,12 +308,12 @@ class DrawnOrder {
 
 }  // namespace
 
-std::vector<DxfContour> chained(std::vector<Strand> strands, const DxfOptions& options,
+std::vector<DxfContour> chained(std::vector<DxfStrand> strands, const DxfOptions& options,
                                 DiagnosticBag& bag) {
   return Chaining(std::move(strands), options, bag).run();
 }
 
-std::vector<DxfContour> in_drawn_order(std::vector<Strand> strands, const DxfOptions& options,
+std::vector<DxfContour> in_drawn_order(std::vector<DxfStrand> strands, const DxfOptions& options,
                                        DiagnosticBag& bag) {
   return DrawnOrder(options, bag).run(std::move(strands));
 }

@@ -23,12 +23,12 @@ struct DxfContour {
 ///      nearest centre that fits, no farther from where they were than twice the gap.
 ///  (4) What is drawn twice is kept once. It is told, as are moved ends, places where more than two
 ///      ends meet, ends that meet nothing, and pieces that run along each other for a while.
-[[nodiscard]] std::vector<DxfContour> chained(std::vector<Strand> strands,
+[[nodiscard]] std::vector<DxfContour> chained(std::vector<DxfStrand> strands,
                                               const DxfOptions& options, DiagnosticBag& bag);
 
 /// Strands as a path: each goes on from the one before it if it begins there, and begins a contour
 /// if it does not. Nothing is sorted or left out.
-[[nodiscard]] std::vector<DxfContour> in_drawn_order(std::vector<Strand> strands,
+[[nodiscard]] std::vector<DxfContour> in_drawn_order(std::vector<DxfStrand> strands,
                                                      const DxfOptions& options, DiagnosticBag& bag);
 
 }  // namespace dgt

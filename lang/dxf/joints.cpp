@@ -88,7 +88,7 @@ void Joining::meet(Kept& before, Kept& behind) {
   }
 }
 
-void Joining::add(Strand strand) {
+void Joining::add(DxfStrand strand) {
   const std::size_t first = pieces_.size();
   const std::size_t count = strand.pieces.size();
   for (std::size_t i = 0; i < count; ++i) {

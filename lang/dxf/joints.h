@@ -9,7 +9,7 @@ namespace dgt {
 class Joining {
  public:
   /// Behind what there is.
-  void add(Strand strand);
+  void add(DxfStrand strand);
   /// Joins the end to the beginning.
   void close();
   /// The contour; arcs with moved ends are put right. Empty afterwards.

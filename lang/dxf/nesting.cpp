@@ -12,11 +12,11 @@
 namespace dgt {
 namespace {
 
-Box box_of(const DxfPiece& piece) {
+Bounds box_of(const DxfPiece& piece) {
   const Spotted from = spotted(piece.from);
   const Spotted to = spotted(piece.to);
-  Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
-          std::max(from.y, to.y)};
+  Bounds box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
+             std::max(from.y, to.y)};
   if (!piece.circle) return box;
   // A box may be too large: a minor arc leaves its chord by its sagitta, any arc lies on its
   // circle.
@@ -34,8 +34,8 @@ Box box_of(const DxfPiece& piece) {
   return box.united({centre.x - radius, centre.y - radius, centre.x + radius, centre.y + radius});
 }
 
-Box box_of(const DxfContour& contour) {
-  Box box = box_of(contour.pieces.front());
+Bounds box_of(const DxfContour& contour) {
+  Bounds box = box_of(contour.pieces.front());
   for (const DxfPiece& piece : contour.pieces) box = box.united(box_of(piece));
   return box;
 }
@@ -242,7 +242,7 @@ class InsideOut {
 }  // namespace
 
 Nesting nesting_of(const std::vector<DxfContour>& contours) {
-  std::vector<Box> boxes;
+  std::vector<Bounds> boxes;
   for (const DxfContour& contour : contours) boxes.push_back(box_of(contour));
   std::vector<double> areas;
   for (const DxfContour& contour : contours)

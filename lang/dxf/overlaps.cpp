@@ -27,7 +27,7 @@ struct Feature {
   double size = 0;
 };
 
-Feature feature_of(const Strand& strand) {
+Feature feature_of(const DxfStrand& strand) {
   double x = 0;
   double y = 0;
   const auto count = static_cast<double>(2 * strand.pieces.size());
@@ -57,7 +57,7 @@ bool are_one(const DxfPiece& a, const DxfPiece& b) {
 }
 
 /// Beginning at any piece of a closed one.
-bool are_one_way(const Strand& a, const Strand& b) {
+bool are_one_way(const DxfStrand& a, const DxfStrand& b) {
   const std::size_t n = a.pieces.size();
   const std::size_t shifts = a.closed && b.closed ? n : 1;
   for (std::size_t shift = 0; shift < shifts; ++shift) {
@@ -68,7 +68,7 @@ bool are_one_way(const Strand& a, const Strand& b) {
   return false;
 }
 
-bool are_one(const Strand& a, const Strand& b) {
+bool are_one(const DxfStrand& a, const DxfStrand& b) {
   if (a.pieces.size() != b.pieces.size() || a.closed != b.closed) return false;
   return are_one_way(a, b) || are_one_way(a, reversed(b)) ||
          (a.pieces.front().is_whole_circle() && are_one(a.pieces.front(), b.pieces.front()));
@@ -146,11 +146,11 @@ void sweep(std::vector<Interval>& intervals, Overlap& overlap) {
 
 }  // namespace
 
-void remove_duplicates(std::vector<Strand>& strands, DiagnosticBag& bag) {
+void remove_duplicates(std::vector<DxfStrand>& strands, DiagnosticBag& bag) {
   std::vector<RationalPoint> middles;
   std::vector<double> sizes;
   std::vector<std::size_t> all;
-  for (const Strand& strand : strands) {
+  for (const DxfStrand& strand : strands) {
     Feature feature = feature_of(strand);
     all.push_back(middles.size());
     middles.push_back(std::move(feature.middle));
@@ -177,15 +177,15 @@ void remove_duplicates(std::vector<Strand>& strands, DiagnosticBag& bag) {
   }
   if (count == 0) return;
   bag.add({Message::DxfDuplicates, strands[first].place(), {std::to_string(count)}});
-  std::vector<Strand> kept;
+  std::vector<DxfStrand> kept;
   for (std::size_t i = 0; i < strands.size(); ++i)
     if (!is_double[i]) kept.push_back(std::move(strands[i]));
   strands = std::move(kept);
 }
 
-void report_overlaps(const std::vector<Strand>& strands, DiagnosticBag& bag) {
+void report_overlaps(const std::vector<DxfStrand>& strands, DiagnosticBag& bag) {
   std::map<Curve, std::vector<Interval>> curves;
-  for (const Strand& strand : strands) {
+  for (const DxfStrand& strand : strands) {
     for (const DxfPiece& piece : strand.pieces) {
       if (piece.circle) {
         const Circle& circle = *piece.circle;

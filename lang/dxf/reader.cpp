@@ -182,7 +182,7 @@ Toolpath read_dxf(const SourceFile& file, const DxfOptions& options, const Conto
                   DiagnosticBag& bag) {
   const DxfDrawing drawing = read_dxf_drawing(file, bag);
   if (bag.has_errors()) return {};
-  std::vector<Strand> strands = strands_of(drawing, file, options, bag);
+  std::vector<DxfStrand> strands = strands_of(drawing, file, options, bag);
   if (bag.has_errors()) return {};
   const DxfOrder order =
       options.order.value_or(drawing.is_of_dgt ? DxfOrder::File : DxfOrder::InsideOut);

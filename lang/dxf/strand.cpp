@@ -69,7 +69,7 @@ class Expansion {
     for (const std::string& layer : options.layers) asked_.insert(dxf_key(layer));
   }
 
-  std::vector<Strand> run() {
+  std::vector<DxfStrand> run() {
     if (asked_.empty() && drawing_.is_of_dgt) {
       asked_.insert(std::string(kOwnCuts));
       report(Message::DxfOwnDrawing, begin_);
@@ -172,7 +172,7 @@ class Expansion {
   }
 
   void add(const DxfLine& line, const DxfEntity& entity, const Placement& at, const std::string&) {
-    Strand strand;
+    DxfStrand strand;
     strand.pieces.push_back({at.of(line.from), at.of(line.to), std::nullopt, entity.place});
     keep(std::move(strand), entity);
   }
@@ -192,7 +192,7 @@ class Expansion {
 
   void add_ellipse(const PlacedEllipse& ellipse, const UnitVector& start, const UnitVector& end,
                    const DxfEntity& entity) {
-    Strand strand;
+    DxfStrand strand;
     strand.has_given_ends = false;
     strand.closed = start == end;
     if (!is_circle(ellipse)) return add_curves(curves_of(ellipse, start, end), strand, entity);
@@ -220,7 +220,7 @@ class Expansion {
       return add_polyline(polyline, entity, at);
     // Seen askew its arcs are those of ellipses.
     const std::size_t n = polyline.vertices.size();
-    Strand whole;
+    DxfStrand whole;
     whole.closed = polyline.closed;
     for (std::size_t i = 0; i + (polyline.closed ? 0 : 1) < n; ++i) {
       const BulgeVertex& from = polyline.vertices[i];
@@ -239,7 +239,7 @@ class Expansion {
       vertices.push_back({at.of(v.at), flips ? Rational(-v.bulge) : v.bulge});
     const auto chain = chain_of(vertices, polyline.closed);
     if (!chain) return count(points_, "", entity.place);
-    Strand strand;
+    DxfStrand strand;
     strand.closed = polyline.closed;
     // Vertices that coincide with the one before begin no edge, great arcs are two.
     const auto behind = [&](std::size_t vertex) {
@@ -259,7 +259,7 @@ class Expansion {
     keep(std::move(strand), entity);
   }
 
-  void append_placed(Strand& strand, const ChainEdge& edge, const Placement& at,
+  void append_placed(DxfStrand& strand, const ChainEdge& edge, const Placement& at,
                      const DxfEntity& entity) {
     if (edge.is_line()) {
       strand.pieces.push_back({at.of(edge.from), at.of(edge.to), std::nullopt, entity.place});
@@ -274,7 +274,7 @@ class Expansion {
     std::vector<RationalCurve> curves = curves_of(ellipse, ccw ? from : to, ccw ? to : from);
     const auto edges = arcs_along(curves, options_.curve_tolerance, room());
     if (!edges) return tell_too_much(entity.place);
-    Strand arc;
+    DxfStrand arc;
     for (const ChainEdge& fitted : *edges) arc.pieces.push_back(piece_of(fitted, entity.place));
     if (!ccw) arc = reversed(arc);
     // Ends of fitted curves are on a grid; the vertices are what the drawing says.
@@ -291,7 +291,7 @@ class Expansion {
     // A knot of full multiplicity parts a spline.
     std::vector<RationalCurve> run;
     const auto flush = [&] {
-      Strand strand;
+      DxfStrand strand;
       if (!run.empty()) add_curves(std::exchange(run, {}), strand, entity);
     };
     for (RationalCurve& curve : curves) {
@@ -304,7 +304,7 @@ class Expansion {
     return a.x / a.w == b.x / b.w && a.y / a.w == b.y / b.w;
   }
 
-  void add_curves(const std::vector<RationalCurve>& curves, Strand strand,
+  void add_curves(const std::vector<RationalCurve>& curves, DxfStrand strand,
                   const DxfEntity& entity) {
     const auto edges = arcs_along(curves, options_.curve_tolerance, room());
     if (!edges) return tell_too_much(entity.place);
@@ -317,7 +317,7 @@ class Expansion {
   [[nodiscard]] std::size_t room() const { return options_.max_moves - work_; }
 
   /// Without pieces of no length.
-  void keep(Strand strand, const DxfEntity& entity) {
+  void keep(DxfStrand strand, const DxfEntity& entity) {
     std::erase_if(strand.pieces,
                   [](const DxfPiece& piece) { return piece.from == piece.to && !piece.circle; });
     if (strand.pieces.empty()) return count(points_, "", entity.place);
@@ -403,7 +403,7 @@ class Expansion {
   std::vector<std::string> open_;  ///< blocks that are being put in place
   std::uint64_t work_ = 0;
   bool stopped_ = false;
-  std::vector<Strand> strands_;
+  std::vector<DxfStrand> strands_;
 };
 
 }  // namespace
@@ -414,16 +414,16 @@ DxfPiece reversed(const DxfPiece& piece) {
   return back;
 }
 
-Strand reversed(const Strand& strand) {
-  Strand back = strand;
+DxfStrand reversed(const DxfStrand& strand) {
+  DxfStrand back = strand;
   back.pieces.clear();
   for (auto piece = strand.pieces.rbegin(); piece != strand.pieces.rend(); ++piece)
     back.pieces.push_back(reversed(*piece));
   return back;
 }
 
-std::vector<Strand> strands_of(const DxfDrawing& drawing, const SourceFile& file,
-                               const DxfOptions& options, DiagnosticBag& bag) {
+std::vector<DxfStrand> strands_of(const DxfDrawing& drawing, const SourceFile& file,
+                                  const DxfOptions& options, DiagnosticBag& bag) {
   return Expansion(drawing, file, options, bag).run();
 }
 

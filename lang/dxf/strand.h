@@ -21,7 +21,7 @@ struct DxfPiece {
 [[nodiscard]] DxfPiece reversed(const DxfPiece& piece);
 
 /// What an entity comes to: pieces that follow each other exactly.
-struct Strand {
+struct DxfStrand {
   std::vector<DxfPiece> pieces;
   bool closed = false;  ///< ends where it begins, because it is drawn so
   /// It has a direction of its own: all but arcs and circles, which always run counter-clockwise.
@@ -30,7 +30,7 @@ struct Strand {
 
   [[nodiscard]] const Range& place() const { return pieces.front().place; }
 };
-[[nodiscard]] Strand reversed(const Strand& strand);
+[[nodiscard]] DxfStrand reversed(const DxfStrand& strand);
 
 enum class DxfUnit : std::uint8_t { Drawing, Millimetre, Inch };
 enum class DxfOrder : std::uint8_t { InsideOut, File };
@@ -63,7 +63,7 @@ struct DxfOptions {
 
 /// The entities of the wanted layers as strands, blocks put in place, in the order of the file.
 /// Tells what is left out.
-[[nodiscard]] std::vector<Strand> strands_of(const DxfDrawing& drawing, const SourceFile& file,
-                                             const DxfOptions& options, DiagnosticBag& bag);
+[[nodiscard]] std::vector<DxfStrand> strands_of(const DxfDrawing& drawing, const SourceFile& file,
+                                                const DxfOptions& options, DiagnosticBag& bag);
 
 }  // namespace dgt

@@ -45,7 +45,7 @@ RC_GTEST_PROP(StretchNearness, AgreesWithTheMeasureWhereThatIsClear, ()) {
   const Piece pa = piece_of(a);
   const Piece pb = piece_of(b);
   const double measured = nearest(pa, pb).distance;
-  const Box box = box_of(pa).united(box_of(pb));
+  const Bounds box = box_of(pa).united(box_of(pb));
   const double size = std::max({std::fabs(box.min_x), std::fabs(box.max_x), std::fabs(box.min_y),
                                 std::fabs(box.max_y), std::fabs(pa.radius), std::fabs(pb.radius)});
   const double limit = nearest_double(t);
