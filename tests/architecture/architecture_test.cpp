@@ -129,6 +129,18 @@ TEST(ForbiddenWords, PartsOfOtherWordsAreLeftAlone) {
   EXPECT_THAT(forbidden_words(source_file("tests/corpus/a.bgt", mark)), IsEmpty());
 }
 
+TEST(TypeNames, NoTwoHeadersDefineOneType) { EXPECT_THAT(types_named_twice(tree()), IsEmpty()); }
+
+TEST(TypeNames, ATypeDefinedTwiceIsNamedWithBothPlaces) {
+  const auto in = [](const char* path, const char* space) {
+    return source_file(path, std::string("namespace ") + space + " {\nstruct Box {\n");
+  };
+  EXPECT_THAT(types_named_twice({in("kernel/a.h", "dgt"), in("post/b.h", "dgt")}),
+              ElementsAre("post/b.h:2: dgt::Box is also in kernel/a.h"));
+  EXPECT_THAT(types_named_twice({in("kernel/a.h", "dgt"), in("post/b.h", "dgt::post")}), IsEmpty());
+  EXPECT_THAT(types_named_twice({in("kernel/a.h", "dgt"), in("post/b.cpp", "dgt")}), IsEmpty());
+}
+
 TEST(TopLevel, HasNoStrangers) { EXPECT_THAT(strangers_at_top_level(DGT_SOURCE_DIR), IsEmpty()); }
 
 TEST(TopLevel, AStrangerIsNamed) {

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string_view>
 
@@ -167,6 +168,30 @@ Violations forbidden_words(const SourceFile& file) {
     }
   }
   return found;
+}
+
+Violations types_named_twice(const std::vector<SourceFile>& files) {
+  static const std::set<std::string, std::less<>> kRooms = {"kernel", "lang", "post", "device",
+                                                            "apps"};
+  static const std::regex kNamespace(R"(^namespace ([\w:]*) ?\{)");
+  static const std::regex kType(
+      R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: : [^;]*)? ?\{)");
+  std::map<std::string, std::string> known;
+  Violations violations;
+  for (const auto& file : files) {
+    if (kRooms.find(file.room()) == kRooms.end() || !file.is_header()) continue;
+    std::string space;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      std::smatch found;
+      if (std::regex_search(file.lines[i], found, kNamespace)) space = found[1];
+      if (!std::regex_search(file.lines[i], found, kType)) continue;
+      const std::string name = space + "::" + found[1].str();
+      const auto [first, fresh] = known.try_emplace(name, file.path);
+      if (!fresh && first->second != file.path)
+        violations.push_back(file.place(i) + name + " is also in " + first->second);
+    }
+  }
+  return violations;
 }
 
 Violations strangers_at_top_level(const std::filesystem::path& root) {

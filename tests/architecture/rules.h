@@ -30,6 +30,10 @@ using Violations = std::vector<std::string>;
 /// Marks of unfinished work, and absolute paths of somebody's machine.
 [[nodiscard]] Violations forbidden_words(const SourceFile& file);
 
+/// Types that two headers of the rooms define under one name in one namespace. Each file compiles;
+/// the linker then keeps one constructor, or one vector, for both.
+[[nodiscard]] Violations types_named_twice(const std::vector<SourceFile>& files);
+
 /// Entries of the top level that have no place there; names with a leading dot are free.
 [[nodiscard]] Violations strangers_at_top_level(const std::filesystem::path& root);
 
