@@ -207,8 +207,10 @@ std::optional<LoopFault> find_wrong_nesting(const std::vector<Chain>& loops, con
     std::optional<int> around;
     for (std::size_t i = 0; i < loops[l].edges.size() && !around; ++i)
       around = edges.winding(loops[l].edges[i].from, l);
-    decided = decided && around.has_value();
-    if (!around) continue;
+    // A loop that runs back over itself has no side that an area could tell.
+    const bool has_side = std::fabs(area(loops[l])) > kOffsetResolution;
+    decided = decided && around && has_side;
+    if (!around || !has_side) continue;
     const int left = *around + (area(loops[l]) > 0 ? 1 : 0);
     const RationalPoint& at = loops[l].edges.front().from;
     if (left != wanted)

@@ -5,18 +5,10 @@
 
 #include <cmath>
 
-#include "lang/text/encoding.h"
+#include "lang/text/column.h"
 
 namespace dgt {
 namespace {
-
-/// The byte where column `column` of a line begins; the end of the line when it is shorter.
-std::uint32_t offset_of(const SourceFile& file, std::uint32_t line, std::uint32_t column) {
-  const std::string_view text = file.line_text(line);
-  std::uint32_t offset = 0;
-  for (; column > 1 && offset < text.size(); --column) offset += code_point_at(text, offset).size;
-  return file.line_start(line) + offset;
-}
 
 const SourceFile& file_of(const SourcePlace& place, const Compilation& program) {
   const std::string& name = program.result.path->files.at(place.file);
@@ -30,7 +22,7 @@ const SourceFile& file_of(const SourcePlace& place, const Compilation& program) 
 Range range_of(const SourcePlace& place, const Compilation& program) {
   if (place.line == 0) return {program.file.get(), 0, 0};
   const SourceFile& file = file_of(place, program);
-  const std::uint32_t offset = offset_of(file, place.line, place.column);
+  const std::uint32_t offset = byte_at(file, place.line, place.column);
   return {&file, offset, offset};
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QLocale>
+#include <cstdio>
+#include <optional>
 
 #include "apps/studio/window/invocation.h"
 #include "apps/studio/window/main_window.h"
@@ -7,13 +10,20 @@
 
 namespace {
 
-/// Pictures need no screen.
-void do_without_screen() {
-  const bool has_screen =
-      qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
-  if (!has_screen && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-  }
+/// Whether Qt has somewhere to put a window. Without it Qt ends the program with a signal.
+bool has_screen() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+void tell_no_screen(std::optional<dgt::Language> chosen) {
+  const bool russian =
+      chosen ? *chosen == dgt::Language::Russian : QLocale::system().language() == QLocale::Russian;
+  std::fputs(russian ? "dgt-studio: ошибка: нет экрана: не заданы ни DISPLAY, ни WAYLAND_DISPLAY; "
+                       "картинку без экрана сохраняет --screenshot OUT.png\n"
+                     : "dgt-studio: error: there is no screen: neither DISPLAY nor "
+                       "WAYLAND_DISPLAY is set; --screenshot OUT.png saves a picture without one\n",
+             stderr);
 }
 
 }  // namespace
@@ -23,7 +33,13 @@ int main(int argc, char** argv) {
   const Parsed parsed = parse(argc, argv);
   if (!parsed.invocation) return parsed.exit_code;
   const Invocation& invocation = *parsed.invocation;
-  if (invocation.picture) do_without_screen();
+  if (!has_screen()) {
+    if (!invocation.picture) {
+      tell_no_screen(invocation.language);
+      return kFailure;
+    }
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
   int qt_arguments = 1;  // the others are ours
   QApplication application(qt_arguments, argv);
   QApplication::setApplicationName(QStringLiteral("dgt-studio"));

@@ -133,9 +133,14 @@ class Boundary {
   [[nodiscard]] const OddFace& corner() const { return corner_; }
 
  private:
+  /// Of the ends: CGAL's box of an arc is that of its circle's half. Between its ends an arc that
+  /// is monotone in x rises over them by no more than it is wide.
   static Bounds box_of(Halfedge e) {
-    const auto box = e->curve().bbox();
-    return {box.xmin(), box.ymin(), box.xmax(), box.ymax()};
+    const auto& from = e->source()->point();
+    const auto& to = e->target()->point();
+    const auto [left, right] = std::minmax({CGAL::to_double(from.x()), CGAL::to_double(to.x())});
+    const auto [low, high] = std::minmax({CGAL::to_double(from.y()), CGAL::to_double(to.y())});
+    return {left, low - (right - left), right, high + (right - left)};
   }
   /// Where two pieces meet comes before where one goes on.
   void look_at(Halfedge e) {

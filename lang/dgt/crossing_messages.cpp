@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "lang/dgt/evaluation.h"
-#include "lang/text/encoding.h"
+#include "lang/text/column.h"
 
 namespace dgt::language {
 namespace {
@@ -52,9 +52,8 @@ class CrossingReporter {
   [[nodiscard]] Range word_at(const SourcePlace& place) const {
     const SourceFile& file = file_of(place);
     const std::string_view line = file.line_text(place.line);
-    std::size_t begin = 0;
-    for (std::uint32_t column = 1; column < place.column && begin < line.size(); ++column)
-      begin += code_point_at(line, begin).size;
+    const std::uint32_t start = file.line_start(place.line);
+    const std::uint32_t begin = byte_at(file, place.line, place.column) - start;
     std::size_t end = begin;
     const auto skip = [&](std::string_view signs, auto&& also) {
       while (end < line.size() &&
@@ -69,9 +68,7 @@ class CrossingReporter {
     });
     skip("+-", none);
     skip("0123456789.", none);
-    const std::uint32_t start = file.line_start(place.line);
-    return {&file, start + static_cast<std::uint32_t>(begin),
-            start + static_cast<std::uint32_t>(end)};
+    return {&file, start + begin, start + static_cast<std::uint32_t>(end)};
   }
 
   const Toolpath& path_;

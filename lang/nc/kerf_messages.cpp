@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "lang/text/column.h"
+
 namespace dgt {
 namespace {
 
@@ -17,14 +19,11 @@ std::string millimetres(double value) { return fmt::format("{:.6g}", value); }
 Range KerfMessages::block_of(std::size_t move) const {
   const SourcePlace& place = program_.path.moves[move].source;
   const std::string_view line = file_.line_text(place.line);
-  std::size_t begin = 0;
-  for (std::uint32_t column = 1; column < place.column && begin < line.size(); ++column)
-    begin += code_point_at(line, begin).size;
+  const std::uint32_t start = file_.line_start(place.line);
+  const std::uint32_t begin = byte_at(file_, place.line, place.column) - start;
   std::size_t end = std::min(line.find_first_of("(;", begin), line.size());
   while (end > begin && (line[end - 1] == ' ' || line[end - 1] == '\t')) --end;
-  const std::uint32_t start = file_.line_start(place.line);
-  return {&file_, start + static_cast<std::uint32_t>(begin),
-          start + static_cast<std::uint32_t>(end)};
+  return {&file_, start + begin, start + static_cast<std::uint32_t>(end)};
 }
 
 std::string KerfMessages::text_of(std::size_t move) const {

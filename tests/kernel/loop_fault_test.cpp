@@ -113,6 +113,19 @@ TEST(LoopFault, AnEdgeThatDoublesBackIsNoCrossing) {
   EXPECT_EQ(fault({{{"0", "0"}, {"10", "0"}, {"20", "0"}, {"10", "0"}, {"10", "10"}}}), "none");
 }
 
+TEST(LoopFault, AnArcThatRunsBackOverItselfIsNoCrossing) {
+  EXPECT_EQ(fault({{{"-12", "-12", "0.25"}, {"-11", "-10", "-0.25"}}}), "none");
+}
+
+TEST(LoopFault, ATangentCuspIsNoCrossing) {
+  // The arc arrives in its end along the line that leaves it, in rational stand-ins nearly so;
+  // the loop beside it touches, so that the arrangement decides.
+  EXPECT_EQ(fault({{{"1", "-2"}, {"2", "0"}, {"0", "0", "-0.5"}}}), "none");
+  EXPECT_EQ(
+      fault({{{"1", "-2"}, {"2", "0"}, {"0", "0", "-0.5"}}, {{"2", "0"}, {"3", "0"}, {"3", "1"}}}),
+      "none");
+}
+
 TEST(LoopFault, AContactInDecimalsIsNoCrossing) {
   // Two loops that overlap by 10⁻¹² mm on less than 10⁻⁹ mm.
   EXPECT_EQ(fault({kSquare, {{"9.999999999999", "5"}, {"20", "0"}, {"20", "10"}}}), "none");

@@ -101,5 +101,20 @@ TEST_F(ScreenshotOfTheProgram, HelpAndVersionNeedNoScreen) {
   EXPECT_TRUE(done.said.startsWith(QStringLiteral("dgt-studio ")));
 }
 
+TEST(TheProgramWithoutAScreen, SaysSoInBothLanguages) {
+  const Outcome english = run({QStringLiteral("--lang"), QStringLiteral("en")});
+  EXPECT_EQ(english.exit_code, 3);
+  EXPECT_EQ(english.said,
+            QStringLiteral("dgt-studio: error: there is no screen: neither DISPLAY nor "
+                           "WAYLAND_DISPLAY is set; --screenshot OUT.png saves a picture without "
+                           "one\n"));
+  const Outcome russian = run({QStringLiteral("--lang"), QStringLiteral("ru")});
+  EXPECT_EQ(russian.exit_code, 3);
+  EXPECT_EQ(
+      russian.said,
+      QStringLiteral("dgt-studio: ошибка: нет экрана: не заданы ни DISPLAY, ни "
+                     "WAYLAND_DISPLAY; картинку без экрана сохраняет --screenshot OUT.png\n"));
+}
+
 }  // namespace
 }  // namespace dgt::studio

@@ -88,7 +88,7 @@ void declare(CLI::App& app, Words& words) {
       "Exit codes:\n"
       "  0  done, whatever the messages about FILE say\n"
       "  2  wrong usage\n"
-      "  3  a file failed\n");
+      "  3  a file failed, or there is no screen\n");
 }
 
 }  // namespace
