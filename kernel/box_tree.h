@@ -8,6 +8,10 @@
 #include <limits>
 #include <vector>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace dgt {
 
 /// An axis-parallel box in mm.
@@ -66,6 +70,16 @@ class BoxTree {
   using Lanes [[gnu::vector_size(16)]] = float;
   using Bits [[gnu::vector_size(16)]] = int;
 
+  /// Bit i: lane i is set.
+  static unsigned bits_of(Bits lanes) {
+#ifdef __SSE2__
+    return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));
+#else
+    lanes &= Bits{1, 2, 4, 8};
+    return static_cast<unsigned>(lanes[0] | lanes[1] | lanes[2] | lanes[3]);
+#endif
+  }
+
   /// Four boxes, those that are not there empty: a node of the tree, with its lanes' children in
   /// the level below at 4 · index + lane.
   struct Four {
@@ -97,9 +111,8 @@ class BoxTree {
     }
     /// Bit i: lane i overlaps.
     [[nodiscard]] unsigned overlapping(const FloatBox& b) const {
-      const Bits lanes = (min_x <= b.max_x) & (max_x >= b.min_x) & (min_y <= b.max_y) &
-                         (max_y >= b.min_y) & Bits{1, 2, 4, 8};
-      return static_cast<unsigned>(lanes[0] | lanes[1] | lanes[2] | lanes[3]);
+      return bits_of((min_x <= b.max_x) & (max_x >= b.min_x) & (min_y <= b.max_y) &
+                     (max_y >= b.min_y));
     }
   };
   using Level = std::vector<Four>;
