@@ -96,8 +96,7 @@ EnclosedEdge<Real> edge_between(const BulgePoint& p, const BulgePoint& q) {
 /// to 1 u, its square to 4 u, the root to 3 u, its inverse to 4 u, so the chord's normal to 6 u. On
 /// arcs (1 − b²)/(1 + b²) is off by 6 u, 2b/(1 + b²) by 4 u of itself, their products with the
 /// normal by 13 u and 11 u, and the sum of these by 26 u; the radius by 14 u of itself.
-EdgeInDoubles in_doubles_between(const BulgePoint& p, const BulgePoint& q) {
-  EdgeInDoubles e;
+void set_between(const BulgePoint& p, const BulgePoint& q, EdgeInDoubles& e) {
   e.x = p.x;
   e.y = p.y;
   const double wx = q.x - p.x;
@@ -111,7 +110,7 @@ EdgeInDoubles in_doubles_between(const BulgePoint& p, const BulgePoint& q) {
     e.start_x = e.end_x = nx;
     e.start_y = e.end_y = ny;
     e.normal_rad = 0x1p-50;
-    return e;
+    return;
   }
   const double b = p.bulge;
   const double whole = 1 + b * b;
@@ -126,38 +125,34 @@ EdgeInDoubles in_doubles_between(const BulgePoint& p, const BulgePoint& q) {
   e.radius = square * inverse * whole * (0.25 / b);
   e.radius_rad = std::fabs(e.radius) * (0x1p-49 + kStandIn / std::fabs(b));
   e.counter_clockwise = b > 0;
-  return e;
 }
-
-EdgeInDoubles in_doubles_of(const ChainEdge& e) {
-  EdgeInDoubles d;
-  d.x = e.from.x.get_d();
-  d.y = e.from.y.get_d();
-  d.start_x = e.start.x().get_d();
-  d.start_y = e.start.y().get_d();
-  d.end_x = e.end.x().get_d();
-  d.end_y = e.end.y().get_d();
-  d.normal_rad = 0x1p-52;
-  d.is_line = e.is_line();
-  if (d.is_line) return d;
-  d.radius = e.radius.get_d();
-  d.radius_rad = 0x1p-52 * std::fabs(d.radius);
-  d.counter_clockwise = d.radius > 0;
-  return d;
+void set_from(const ChainEdge& exact, EdgeInDoubles& e) {
+  e.x = exact.from.x.get_d();
+  e.y = exact.from.y.get_d();
+  e.start_x = exact.start.x().get_d();
+  e.start_y = exact.start.y().get_d();
+  e.end_x = exact.end.x().get_d();
+  e.end_y = exact.end.y().get_d();
+  e.normal_rad = 0x1p-52;
+  e.is_line = exact.is_line();
+  if (e.is_line) return;
+  e.radius = exact.radius.get_d();
+  e.radius_rad = 0x1p-52 * std::fabs(e.radius);
+  e.counter_clockwise = e.radius > 0;
 }
 
 /// The same edge run the other way begins where it ended.
-EdgeInDoubles reversed(const EdgeInDoubles& e, double x, double y) {
-  EdgeInDoubles r = e;
-  r.x = x;
-  r.y = y;
-  r.start_x = -e.end_x;
-  r.start_y = -e.end_y;
-  r.end_x = -e.start_x;
-  r.end_y = -e.start_y;
-  r.radius = -e.radius;
-  r.counter_clockwise = !e.counter_clockwise;
-  return r;
+void reverse(EdgeInDoubles& e, double x, double y) {
+  e.x = x;
+  e.y = y;
+  std::swap(e.start_x, e.end_x);
+  std::swap(e.start_y, e.end_y);
+  e.start_x = -e.start_x;
+  e.start_y = -e.start_y;
+  e.end_x = -e.end_x;
+  e.end_y = -e.end_y;
+  e.radius = -e.radius;
+  e.counter_clockwise = !e.counter_clockwise;
 }
 
 RationalPoint exact(const BulgePoint& p) { return {Rational(p.x), Rational(p.y)}; }
@@ -345,15 +340,17 @@ double OffsetSource::area(std::size_t loop) const {
   return twice_area / 2;
 }
 
-EdgeInDoubles OffsetSource::in_doubles(std::uint32_t index) const {
+void OffsetSource::in_doubles(std::uint32_t index, EdgeInDoubles& e) const {
   const std::uint32_t i = original(index);
   if (!points_.empty()) {
     const BulgePoint& q = points_[next(i)];
-    const EdgeInDoubles e = in_doubles_between(points_[i], q);
-    return reversed_ ? reversed(e, q.x, q.y) : e;
+    set_between(points_[i], q, e);
+    if (reversed_) reverse(e, q.x, q.y);
+    return;
   }
-  const ChainEdge& e = chain_edges_[i];
-  return reversed_ ? reversed(in_doubles_of(e), e.to.x.get_d(), e.to.y.get_d()) : in_doubles_of(e);
+  const ChainEdge& exact = chain_edges_[i];
+  set_from(exact, e);
+  if (reversed_) reverse(e, exact.to.x.get_d(), exact.to.y.get_d());
 }
 
 EnclosedEdge<DoubleDouble> OffsetSource::edge(std::uint32_t index) const {

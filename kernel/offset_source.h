@@ -25,7 +25,7 @@ struct EnclosedEdge {
 };
 
 /// The same in plain doubles, up to where the next edge begins: no more than the hot path reads.
-/// (x, y) is off by less than 2⁻⁵² (|x| + |y|).
+/// (x, y) is off by less than 2⁻⁵² (|x| + |y|). The radius and the sense are those of an arc.
 struct EdgeInDoubles {
   double x = 0;
   double y = 0;
@@ -116,7 +116,13 @@ class OffsetSource {
   /// an area to speak of.
   [[nodiscard]] double area(std::size_t loop) const;
 
-  [[nodiscard]] EdgeInDoubles in_doubles(std::uint32_t index) const;
+  [[nodiscard]] EdgeInDoubles in_doubles(std::uint32_t index) const {
+    EdgeInDoubles e;
+    in_doubles(index, e);
+    return e;
+  }
+  /// The same made in place. Copies of what has just been written wait for it.
+  void in_doubles(std::uint32_t index, EdgeInDoubles& e) const;
   [[nodiscard]] EnclosedEdge<DoubleDouble> edge(std::uint32_t index) const;
   [[nodiscard]] ChainEdge exact_edge(std::uint32_t index) const;
   /// The loops as rational chains, in the sense in which they are offset.

@@ -76,7 +76,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
       s.radius_rad = rounded_up(e.radius_rad + d.rad + 0x1p-52 * (r + d.mid));
     }
     // The corner behind it.
-    next = i + 1 == end ? first_edge : source.in_doubles(i + 1);
+    source.in_doubles(i + 1 == end ? first : i + 1, next);
     twice_area += (e.x - first_edge.x) * (next.y - first_edge.y) -
                   (next.x - first_edge.x) * (e.y - first_edge.y);
     if (!e.is_line)
