@@ -30,16 +30,22 @@
 namespace dgt {
 namespace {
 
-/// Two strands that cross. Each crossing is two events, one on each strand: number 2i + side.
-struct Passing {
-  double x, y;
-  std::array<double, 2> along;
-  std::array<float, 2> along_rad;
-  std::array<std::uint32_t, 2> strand;
-  std::int8_t turn;  ///< of the second against the first
-  bool last;         ///< of the two crossings of these strands
-};
+using quick::Passing;
+/// Each passing is two events, one on each strand: number 2i + side.
 using Event = std::uint32_t;
+
+/// An event on its strand: its position and how far that may be off.
+struct Placed {
+  double at;
+  float rad;
+  Event event;
+};
+
+/// The curve from one event to the next on the same loop.
+struct Between {
+  int left;           ///< the winding number to the left of it
+  std::uint32_t end;  ///< the rank of the event where it ends
+};
 
 }  // namespace
 
@@ -90,20 +96,7 @@ class OffsetEngine {
   }
 
   bool cross_strands(std::uint32_t a, std::uint32_t b) {
-    const quick::Crossings crossings = quick::cross(curve_, a, b);
-    if (crossings.decided) {
-      for (int i = 0; i < crossings.count; ++i) {
-        const quick::Crossing& c = crossings.found[static_cast<std::size_t>(i)];
-        passings_.push_back({c.x,
-                             c.y,
-                             c.position,
-                             {rounded_up(c.position_rad[0]), rounded_up(c.position_rad[1])},
-                             {a, b},
-                             static_cast<std::int8_t>(c.turn),
-                             i == 1});
-      }
-      return true;
-    }
+    if (quick::cross(curve_, a, b, passings_)) return true;
     ++counts_.fine;
     const Crossings<DoubleDouble> finer = cross(fine(a), fine(b));
     if (finer.decided) add_passings(a, b, finer);
@@ -130,79 +123,79 @@ class OffsetEngine {
 
   [[nodiscard]] const Passing& passing(Event e) const { return passings_[e / 2]; }
   [[nodiscard]] std::uint32_t strand(Event e) const { return passing(e).strand[e % 2]; }
-  [[nodiscard]] double position(Event e) const { return passing(e).along[e % 2]; }
-  [[nodiscard]] double radius(Event e) const { return passing(e).along_rad[e % 2]; }
   static Event twin(Event e) { return e ^ 1U; }
 
   /// Events strand by strand, in the order met along each.
   bool sort_events() {
-    const std::size_t events = 2 * passings_.size();
     first_event_.assign(curve_.size() + 1, 0);
     for (const Passing& m : passings_)
       for (const std::uint32_t s : m.strand) ++first_event_[s + 1];
     for (std::size_t s = 0; s < curve_.size(); ++s) first_event_[s + 1] += first_event_[s];
-    order_.resize(events);
-    rank_.resize(events);
-    for (Event e = 0; e < events; ++e) order_[first_event_[strand(e)]++] = e;
+    order_.resize(2 * passings_.size());
+    Event e = 0;
+    for (const Passing& m : passings_) {
+      for (const std::size_t side : {0U, 1U})
+        order_[first_event_[m.strand[side]]++] = {m.along[side], m.along_rad[side], e++};
+    }
     for (std::size_t s = curve_.size(); s > 0; --s) first_event_[s] = first_event_[s - 1];
     first_event_[0] = 0;
     for (std::size_t s = 0; s < curve_.size(); ++s) {
-      const std::span<Event> here{order_.data() + first_event_[s],
-                                  first_event_[s + 1] - first_event_[s]};
+      const std::span<Placed> here{order_.data() + first_event_[s],
+                                   first_event_[s + 1] - first_event_[s]};
       if (here.size() > 1 && !sort_along(here)) return false;
     }
-    for (std::uint32_t k = 0; k < events; ++k) rank_[order_[k]] = k;
+    rank_.resize(order_.size());
+    for (std::uint32_t k = 0; k < order_.size(); ++k) rank_[order_[k].event] = k;
     return true;
   }
 
-  bool sort_along(std::span<Event> events) {
+  bool sort_along(std::span<Placed> events) {
     constexpr std::size_t kFew = 24;
     if (events.size() > kFew) {
-      std::ranges::sort(events, {}, [&](Event e) { return position(e); });
+      std::ranges::sort(events, {}, &Placed::at);
     } else {
       for (std::size_t k = 1; k < events.size(); ++k) {
-        const Event e = events[k];
-        const double at = position(e);
+        const Placed e = events[k];
         std::size_t to = k;
-        for (; to > 0 && position(events[to - 1]) > at; --to) events[to] = events[to - 1];
+        for (; to > 0 && events[to - 1].at > e.at; --to) events[to] = events[to - 1];
         events[to] = e;
       }
     }
     counts_.decisions += events.size() - 1;
     std::size_t open = 0;
     for (std::size_t k = 1; k < events.size(); ++k) {
-      const double gap = position(events[k]) - position(events[k - 1]);
-      if (!(gap > (radius(events[k]) + radius(events[k - 1])) * kUp)) ++open;
+      const double gap = events[k].at - events[k - 1].at;
+      if (!(gap > (static_cast<double>(events[k].rad) + events[k - 1].rad) * kUp)) ++open;
     }
     counts_.fine += open;
     return open == 0 || sort_finely(events);
   }
 
-  bool sort_finely(std::span<Event> events) {
-    struct Placed {
-      Event event;
+  bool sort_finely(std::span<Placed> events) {
+    struct FinelyPlaced {
+      Placed coarse;
       Enclosed<DoubleDouble> at;
     };
-    std::vector<Placed> placed;
-    for (const Event e : events) {
-      const Passing& m = passing(e);
+    std::vector<FinelyPlaced> placed;
+    for (const Placed& e : events) {
+      const Passing& m = passing(e.event);
       const Crossings<DoubleDouble> c = cross(fine(m.strand[0]), fine(m.strand[1]));
       // Of two roots, doubles may have found one alone inside both; then so do double-doubles.
       const std::size_t root = m.last ? 1 : 0;
       if (!c.decided || c.count <= static_cast<int>(root)) return false;
-      placed.push_back({e, c.found[root].position[e % 2]});
+      placed.push_back({e, c.found[root].position[e.event % 2]});
     }
     std::ranges::sort(placed, {},
-                      [](const Placed& p) { return std::pair(p.at.mid.hi, p.at.mid.lo); });
+                      [](const FinelyPlaced& p) { return std::pair(p.at.mid.hi, p.at.mid.lo); });
     for (std::size_t k = 1; k < placed.size(); ++k) {
       if ((placed[k].at - placed[k - 1].at).sign() > 0) continue;
-      const int order = order_at_cusp(placed[k - 1].event, placed[k].event);
+      const int order = order_at_cusp(placed[k - 1].coarse.event, placed[k].coarse.event);
       if (order == 0) return false;
       if (order > 0) continue;
       if (k > 1 && (placed[k].at - placed[k - 2].at).sign() <= 0) return false;
       std::swap(placed[k - 1], placed[k]);
     }
-    for (std::size_t k = 0; k < placed.size(); ++k) events[k] = placed[k].event;
+    for (std::size_t k = 0; k < placed.size(); ++k) events[k] = placed[k].coarse;
     return true;
   }
 
@@ -251,12 +244,6 @@ class OffsetEngine {
   [[nodiscard]] std::uint32_t last_rank(std::size_t loop) const {
     return first_event_[curve_.end(loop)];
   }
-  /// The next event along the same loop.
-  [[nodiscard]] Event next_event(Event e) const {
-    const std::uint32_t k = rank_[e] + 1;
-    const std::size_t loop = curve_.loop_of(strand(e));
-    return order_[k == last_rank(loop) ? first_rank(loop) : k];
-  }
 
   // --- winding numbers --------------------------------------------------------------------------
 
@@ -265,7 +252,7 @@ class OffsetEngine {
   [[nodiscard]] int step(Event e) const { return e % 2 == 0 ? -passing(e).turn : passing(e).turn; }
 
   bool carry_numbers() {
-    left_after_.resize(order_.size());
+    stretches_.resize(order_.size());
     loop_number_.resize(source_->loops());
     for (std::size_t loop = 0; loop < source_->loops(); ++loop) {
       const auto start = number_on(loop);
@@ -278,10 +265,12 @@ class OffsetEngine {
       const auto first = first_behind_middle(probe);
       if (!first) return false;
       int left = number;
+      std::uint32_t k = *first == begin + count ? begin : *first;
       for (std::uint32_t n = 0; n < count; ++n) {
-        const Event e = order_[begin + (*first - begin + n) % count];
-        left += step(e);
-        left_after_[e] = left;
+        left += step(order_[k].event);
+        const std::uint32_t end = k + 1 == begin + count ? begin : k + 1;
+        stretches_[k] = {left, end};
+        k = end;
       }
       // Once round. Where not, the joined curve is not the exact one in something that matters.
       if (left != number) return false;
@@ -296,8 +285,7 @@ class OffsetEngine {
     const Enclosed<double> middle = Enclosed<double>{0.5, 0} * dot(chord, chord);
     std::uint32_t k = first_event_[strand];
     for (; k < first_event_[strand + 1]; ++k) {
-      const Event e = order_[k];
-      const int behind = (Enclosed<double>{position(e), radius(e)} - middle).sign();
+      const int behind = (Enclosed<double>{order_[k].at, order_[k].rad} - middle).sign();
       if (behind == 0) return std::nullopt;
       if (behind > 0) break;
     }
@@ -405,16 +393,16 @@ class OffsetEngine {
     region.source_ = source_;
     region.pieces_.reserve(curve_.size());
     std::vector<bool> used(order_.size(), false);
-    for (const Event first : order_) {
-      if (used[first] || left_after_[first] != wanted) continue;
-      Event e = first;
+    for (std::uint32_t first = 0; first < order_.size(); ++first) {
+      if (used[first] || stretches_[first].left != wanted) continue;
+      std::uint32_t begin = first;
       do {
-        DGT_CHECK(!used[e] && left_after_[e] == wanted);
-        used[e] = true;
-        const Event end = next_event(e);
-        add_stretch(region, e, end);
-        e = twin(end);
-      } while (e != first);
+        DGT_CHECK(!used[begin] && stretches_[begin].left == wanted);
+        used[begin] = true;
+        const std::uint32_t end = stretches_[begin].end;
+        add_stretch(region, begin, end);
+        begin = rank_[twin(order_[end].event)];
+      } while (begin != first);
       region.first_.push_back(region.pieces_.size());
     }
     for (std::size_t loop = 0; loop < source_->loops(); ++loop) {
@@ -425,16 +413,17 @@ class OffsetEngine {
     return region;
   }
 
-  void add_stretch(OffsetRegion& region, Event begin, Event end) const {
-    const std::uint32_t last = strand(end);
-    std::uint32_t s = strand(begin);
+  /// Between the events of two ranks.
+  void add_stretch(OffsetRegion& region, std::uint32_t begin, std::uint32_t end) const {
+    const std::uint32_t last = strand(order_[end].event);
+    std::uint32_t s = strand(order_[begin].event);
     RegionPiece& first = add_piece(region, s);
-    const Passing& m = passing(begin);
+    const Passing& m = passing(order_[begin].event);
     first.x = m.x;
     first.y = m.y;
     first.cut = curve_[m.strand[0]].key;
     first.by = curve_[m.strand[1]].key;
-    bool once_round = s == last && rank_[end] <= rank_[begin];
+    bool once_round = s == last && end <= begin;
     while (s != last || once_round) {
       once_round = false;
       s = curve_.next(s);
@@ -454,10 +443,10 @@ class OffsetEngine {
   double right_ = -std::numeric_limits<double>::infinity();
   BoxTree tree_;
   std::vector<Passing> passings_;
-  std::vector<Event> order_;                ///< events along the curve
+  std::vector<Placed> order_;               ///< events along the curve
   std::vector<std::uint32_t> rank_;         ///< of an event in the order
   std::vector<std::uint32_t> first_event_;  ///< of each strand in the order, and one behind
-  std::vector<int> left_after_;             ///< number left of the stretch behind an event
+  std::vector<Between> stretches_;          ///< behind the event of each rank
   std::vector<int> loop_number_;            ///< where each loop was probed
 };
 

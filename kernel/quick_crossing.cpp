@@ -20,12 +20,6 @@ namespace {
 constexpr double kMore = 1.02;
 constexpr double kRound = 0x1p-51;
 
-Crossings undecided() {
-  Crossings result;
-  result.decided = false;
-  return result;
-}
-
 struct Span {  ///< a chord, or a way between two points
   double x, y;
   double size;  ///< 1-norm
@@ -65,12 +59,13 @@ struct OnCircle {
   }
 };
 
-Crossings of_lines(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
+bool of_lines(const RawCurve& curve, std::uint32_t i, std::uint32_t j,
+              std::vector<Passing>& found) {
   const RawStrand& a = curve[i];
   const RawStrand& b = curve[j];
   const Span u = chord(curve, i);
   const Span v = chord(curve, j);
-  if (!u.is_sound() || !v.is_sound()) return undecided();
+  if (!u.is_sound() || !v.is_sound()) return false;
   const Span w{b.x - a.x, b.y - a.y, static_cast<double>(a.ends_rad) + b.ends_rad};
   const double turn = wedge(u, v);
   const double b_from = wedge(u, w);
@@ -81,11 +76,11 @@ Crossings of_lines(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
   const double rad_a = product_rad(u, w) + turn_rad;  // of b's sides of a
   const double rad_b = product_rad(v, w) + turn_rad;
   const auto sure = [](double x, double rad) { return std::fabs(x) > rad; };
-  if (sure(b_from, rad_a) && sure(b_to, rad_a) && (b_from > 0) == (b_to > 0)) return {};
-  if (sure(a_from, rad_b) && sure(a_to, rad_b) && (a_from > 0) == (a_to > 0)) return {};
+  if (sure(b_from, rad_a) && sure(b_to, rad_a) && (b_from > 0) == (b_to > 0)) return true;
+  if (sure(a_from, rad_b) && sure(a_to, rad_b) && (a_from > 0) == (a_to > 0)) return true;
   if (!sure(b_from, rad_a) || !sure(b_to, rad_a) || !sure(a_from, rad_b) || !sure(a_to, rad_b) ||
       std::fabs(turn) < 128 * turn_rad)
-    return undecided();
+    return false;
   // b_to − b_from and a_from − a_to are both the turn.
   const double inverse = 1 / turn;
   const double t = a_from * inverse;
@@ -95,20 +90,21 @@ Crossings of_lines(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
   const double s_rad = (rad_a + turn_rad) * size + kRound;
   const double uu = dot(u, u);
   const double vv = dot(v, v);
-  Crossings result;
-  result.count = 1;
-  result.found[0] = {
-      a.x + t * u.x,
-      a.y + t * u.y,
-      {t * uu, s * vv},
-      {kMore * (t_rad * uu + product_rad(u, u)), kMore * (s_rad * vv + product_rad(v, v))},
-      b_to > 0 ? 1 : -1};
-  return result;
+  Passing& p = found.emplace_back();
+  p.x = a.x + t * u.x;
+  p.y = a.y + t * u.y;
+  p.along = {t * uu, s * vv};
+  p.along_rad = {rounded_up(kMore * (t_rad * uu + product_rad(u, u))),
+                 rounded_up(kMore * (s_rad * vv + product_rad(v, v)))};
+  p.strand = {i, j};
+  p.turn = b_to > 0 ? 1 : -1;
+  p.last = false;
+  return true;
 }
 
-/// `line_first`: whether the line is the first of the two.
-Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t j,
-                          bool line_first) {
+/// `arc_first`: whether the arc is the first of the two.
+bool of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t j, bool arc_first,
+                     std::vector<Passing>& found) {
   const RawStrand& line = curve[i];
   const RawStrand& arc = curve[j];
   const Span u = chord(curve, i);
@@ -116,7 +112,7 @@ Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t 
   const Span c{arc.centre_x - line.x, arc.centre_y - line.y,
                static_cast<double>(line.ends_rad) + arc.centre_rad};
   const double r = arc.radius;
-  if (!u.is_sound() || !v.is_sound() || 256.0 * arc.radius_rad > r) return undecided();
+  if (!u.is_sound() || !v.is_sound() || 256.0 * arc.radius_rad > r) return false;
   const double h = wedge(u, c);
   const double foot_rad = product_rad(u, c);
   const double uu = dot(u, u);
@@ -127,8 +123,8 @@ Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t 
   const double reach_rad = kMore * (rr * uu_rad + uu * rr_rad) +
                            (2 * std::fabs(h) + foot_rad) * foot_rad * kMore +
                            kRound * (rr * uu + h * h);
-  if (reach < -reach_rad) return {};
-  if (reach <= reach_rad) return undecided();
+  if (reach < -reach_rad) return true;
+  if (reach <= reach_rad) return false;
   const double half = std::sqrt(reach);
   const double foot = dot(u, c);
   const double t_rad = foot_rad + kMore * reach_rad / half + kRound * (std::fabs(foot) + half);
@@ -136,7 +132,7 @@ Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t 
   const double inverse = 1 / uu;
   const Span base{line.x - arc.x, line.y - arc.y,
                   static_cast<double>(line.ends_rad) + arc.ends_rad};
-  Crossings result;
+  const std::size_t before = found.size();
   for (const int way : {-1, 1}) {
     const double t = foot + way * half;
     if (t < -t_rad || t > uu + outer) continue;
@@ -147,28 +143,34 @@ Crossings of_line_and_arc(const RawCurve& curve, std::uint32_t i, std::uint32_t 
     to.rad += kMore * (k_rad * u.size + std::fabs(k) * (u.rad + kRound * u.size));
     const OnCircle on(arc, v, to);
     if (on.on_arc < 0) continue;
-    if (on.on_arc == 0 || !(t > t_rad && t < uu - outer)) return undecided();
-    const double x = line.x + k * u.x;
-    const double y = line.y + k * u.y;
+    if (on.on_arc == 0 || !(t > t_rad && t < uu - outer)) {
+      found.resize(before);
+      return false;
+    }
+    Passing& p = found.emplace_back();
+    p.x = line.x + k * u.x;
+    p.y = line.y + k * u.y;
+    p.along[arc_first] = t;
+    p.along_rad[arc_first] = rounded_up(t_rad);
+    p.strand[arc_first] = i;
+    p.along[!arc_first] = on.position;
+    p.along_rad[!arc_first] = rounded_up(on.rad);
+    p.strand[!arc_first] = j;
     // Where the line leaves the circle, a counter-clockwise arc passes from its right to its left.
-    const int turn = arc.counter_clockwise ? way : -way;
-    Crossing& found = result.found[static_cast<std::size_t>(result.count++)];
-    if (line_first)
-      found = {x, y, {t, on.position}, {t_rad, on.rad}, turn};
-    else
-      found = {x, y, {on.position, t}, {on.rad, t_rad}, -turn};
+    p.turn = static_cast<std::int8_t>(arc.counter_clockwise != arc_first ? way : -way);
+    p.last = found.size() - before == 2;
   }
-  return result;
+  return true;
 }
 
-Crossings of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
+bool of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j, std::vector<Passing>& found) {
   const RawStrand& a = curve[i];
   const RawStrand& b = curve[j];
   const Span v{b.centre_x - a.centre_x, b.centre_y - a.centre_y,
                static_cast<double>(a.centre_rad) + b.centre_rad};
   const Span chord_a = chord(curve, i);
   const Span chord_b = chord(curve, j);
-  if (!v.is_sound() || !chord_a.is_sound() || !chord_b.is_sound()) return undecided();
+  if (!v.is_sound() || !chord_a.is_sound() || !chord_b.is_sound()) return false;
   const double vv = dot(v, v);
   const double vv_rad = product_rad(v, v);
   const double sum = a.radius + b.radius;
@@ -176,12 +178,12 @@ Crossings of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
   const double radii_rad = static_cast<double>(a.radius_rad) + b.radius_rad + kRound * sum;
   const double outside = sum * sum - vv;
   const double outside_rad = square_rad(sum, radii_rad) + vv_rad + kRound * (sum * sum + vv);
-  if (outside < -outside_rad) return {};
+  if (outside < -outside_rad) return true;
   const double inside = vv - difference * difference;
   const double inside_rad = (2 * kMore * std::fabs(difference) + radii_rad) * radii_rad + vv_rad +
                             kRound * (difference * difference + vv);
-  if (inside < -inside_rad) return {};
-  if (outside <= outside_rad || inside <= inside_rad) return undecided();
+  if (inside < -inside_rad) return true;
+  if (outside <= outside_rad || inside <= inside_rad) return false;
   const double reach = outside * inside;
   const double reach_rad =
       outside * inside_rad + (inside + inside_rad) * outside_rad + kRound * reach;
@@ -203,7 +205,7 @@ Crossings of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
   const Span from_b{a.centre_x - b.x, a.centre_y - b.y,
                     static_cast<double>(a.centre_rad) + b.ends_rad};
   const int senses = a.counter_clockwise == b.counter_clockwise ? 1 : -1;
-  Crossings result;
+  const std::size_t before = found.size();
   for (const int way : {-1, 1}) {
     const double x = k * v.x - way * m * v.y;
     const double y = k * v.y + way * m * v.x;
@@ -211,22 +213,29 @@ Crossings of_arcs(const RawCurve& curve, std::uint32_t i, std::uint32_t j) {
     if (on_a.on_arc < 0) continue;
     const OnCircle on_b(b, chord_b, {from_b.x + x, from_b.y + y, from_b.rad + off_rad});
     if (on_b.on_arc < 0) continue;
-    if (on_a.on_arc == 0 || on_b.on_arc == 0) return undecided();
-    result.found[static_cast<std::size_t>(result.count++)] = {a.centre_x + x,
-                                                              a.centre_y + y,
-                                                              {on_a.position, on_b.position},
-                                                              {on_a.rad, on_b.rad},
-                                                              way * senses};
+    if (on_a.on_arc == 0 || on_b.on_arc == 0) {
+      found.resize(before);
+      return false;
+    }
+    Passing& p = found.emplace_back();
+    p.x = a.centre_x + x;
+    p.y = a.centre_y + y;
+    p.along = {on_a.position, on_b.position};
+    p.along_rad = {rounded_up(on_a.rad), rounded_up(on_b.rad)};
+    p.strand = {i, j};
+    p.turn = static_cast<std::int8_t>(way * senses);
+    p.last = found.size() - before == 2;
   }
-  return result;
+  return true;
 }
 
 }  // namespace
 
-Crossings cross(const RawCurve& curve, std::uint32_t a, std::uint32_t b) {
+bool cross(const RawCurve& curve, std::uint32_t a, std::uint32_t b, std::vector<Passing>& found) {
   if (curve[a].is_line)
-    return curve[b].is_line ? of_lines(curve, a, b) : of_line_and_arc(curve, a, b, true);
-  return curve[b].is_line ? of_line_and_arc(curve, b, a, false) : of_arcs(curve, a, b);
+    return curve[b].is_line ? of_lines(curve, a, b, found)
+                            : of_line_and_arc(curve, a, b, false, found);
+  return curve[b].is_line ? of_line_and_arc(curve, b, a, true, found) : of_arcs(curve, a, b, found);
 }
 
 }  // namespace dgt::quick

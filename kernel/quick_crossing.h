@@ -9,23 +9,20 @@
 /// beforehand. Internal to the kernel.
 namespace dgt::quick {
 
-/// As Crossing (strand.h), as the engine keeps it.
-struct Crossing {
-  double x, y;
-  std::array<double, 2> position;
-  std::array<double, 2> position_rad;
-  int turn;
+/// Two strands that cross.
+struct Passing {
+  double x, y;                          ///< about where
+  std::array<double, 2> along;          ///< position on each (strand.h)
+  std::array<float, 2> along_rad;       ///< within which it is
+  std::array<std::uint32_t, 2> strand;  ///< the two
+  std::int8_t turn;                     ///< of the second against the first (strand.h)
+  bool last;                            ///< of the two crossings of these strands
 };
 
-struct Crossings {
-  bool decided = true;
-  int count = 0;
-  std::array<Crossing, 2> found;
-};
-
-/// Where strands a and b cross inside both, or undecided.
-///  (1) What is decided is so: the strands of any numbers within the radii of these cross as told.
-///  (2) Positions lie within position_rad; (x, y) is about there.
-[[nodiscard]] Crossings cross(const RawCurve& curve, std::uint32_t a, std::uint32_t b);
+/// Appends where strands a and b cross inside both; appends nothing and returns false when plain
+/// doubles cannot tell. What is told holds for the strands of any numbers within the radii of
+/// these.
+[[nodiscard]] bool cross(const RawCurve& curve, std::uint32_t a, std::uint32_t b,
+                         std::vector<Passing>& found);
 
 }  // namespace dgt::quick

@@ -141,10 +141,6 @@ std::size_t RawCurve::loop_of(std::uint32_t strand) const {
   return static_cast<std::size_t>(behind - first_.begin()) - 1;
 }
 
-std::uint32_t RawCurve::next(std::uint32_t strand) const {
-  return strands_[strand].last ? first_[loop_of(strand)] : strand + 1;
-}
-
 Bounds RawCurve::box(std::uint32_t i) const {
   const RawStrand& s = strands_[i];
   if (s.rise < 0) {

@@ -83,6 +83,10 @@ inline Strand<double> RawCurve::strand(std::uint32_t i) const {
           s.counter_clockwise};
 }
 
+inline std::uint32_t RawCurve::next(std::uint32_t strand) const {
+  return strands_[strand].last ? first_[loop_of(strand)] : strand + 1;
+}
+
 inline bool RawCurve::adjacent(std::uint32_t a, std::uint32_t b) const {
   if (b == a + 1) return true;  // an end stands between loops
   return strands_[a].first && strands_[b].last && loop_of(a) == loop_of(b);

@@ -37,26 +37,28 @@ struct Outcomes {
  private:
   void compare(const OffsetSource& source, const RawCurve& curve, std::uint32_t a,
                std::uint32_t b) {
-    const quick::Crossings quick = quick::cross(curve, a, b);
+    std::vector<quick::Passing> quick;
+    const bool decided = quick::cross(curve, a, b, quick);
     const auto& distance = source.decisive_distance<DoubleDouble>();
     const Crossings<DoubleDouble> fine =
         cross(source.strand(curve[a].key, distance), source.strand(curve[b].key, distance));
     const std::string kind = kind_of(curve[a], curve[b]);
-    ++seen[kind][quick.decided ? std::to_string(quick.count) : "open"];
+    ++seen[kind][decided ? std::to_string(quick.size()) : "open"];
     if (!fine.decided) ++seen[kind]["open in double-doubles"];
     if (curve.surely_apart(a, b)) {
       ++apart_at_once;
       EXPECT_TRUE(!fine.decided || fine.count == 0);
-      EXPECT_TRUE(!quick.decided || quick.count == 0);
+      EXPECT_TRUE(!decided || quick.empty());
     }
-    if (!quick.decided || !fine.decided) return;
-    ASSERT_EQ(quick.count, fine.count) << kind;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(quick.count); ++i) {
-      EXPECT_EQ(quick.found[i].turn, fine.found[i].turn);
+    if (!decided) EXPECT_TRUE(quick.empty());
+    if (!decided || !fine.decided) return;
+    ASSERT_EQ(static_cast<int>(quick.size()), fine.count) << kind;
+    for (std::size_t i = 0; i < quick.size(); ++i) {
+      EXPECT_EQ(quick[i].turn, fine.found[i].turn);
       for (const std::size_t side : {0U, 1U}) {
         const Enclosed<DoubleDouble>& position = fine.found[i].position[side];
-        EXPECT_LE(std::fabs((position.mid - DoubleDouble(quick.found[i].position[side])).hi),
-                  quick.found[i].position_rad[side] + position.rad);
+        EXPECT_LE(std::fabs((position.mid - DoubleDouble(quick[i].along[side])).hi),
+                  double{quick[i].along_rad[side]} + position.rad);
       }
     }
   }
