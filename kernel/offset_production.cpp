@@ -155,9 +155,12 @@ class OffsetEngine {
       std::ranges::sort(events, {}, &Placed::at);
     } else {
       for (std::size_t k = 1; k < events.size(); ++k) {
+        if (events[k - 1].at <= events[k].at) continue;
         const Placed e = events[k];
         std::size_t to = k;
-        for (; to > 0 && events[to - 1].at > e.at; --to) events[to] = events[to - 1];
+        do {
+          events[to] = events[to - 1];
+        } while (--to > 0 && events[to - 1].at > e.at);
         events[to] = e;
       }
     }
