@@ -8,10 +8,6 @@
 #include <limits>
 #include <vector>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace dgt {
 
 /// An axis-parallel box in mm.
@@ -73,7 +69,7 @@ class BoxTree {
   /// Bit i: lane i is set.
   static unsigned bits_of(Bits lanes) {
 #ifdef __SSE2__
-    return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));
+    return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Lanes>(lanes)));
 #else
     lanes &= Bits{1, 2, 4, 8};
     return static_cast<unsigned>(lanes[0] | lanes[1] | lanes[2] | lanes[3]);
