@@ -100,7 +100,7 @@ std::variant<Blend, ContourFault> fillet_between(const Element& a, const Element
     return by_sweep != 0 ? by_sweep < 0 : x.travel < y.travel;
   });
   if (next && candidates.size() < 2) return fault(Kind::NoChoice);
-  return Blend{std::make_shared<const Element>(candidates[next ? 1 : 0].circle), true};
+  return Blend{ElementPtr(candidates[next ? 1 : 0].circle), true};
 }
 
 std::variant<Blend, ContourFault> chamfer_between(const Element& a, const Element& b,
@@ -116,7 +116,7 @@ std::variant<Blend, ContourFault> chamfer_between(const Element& a, const Elemen
   const RationalPoint end = at + leg * second->direction().vector();
   const Construction<Line> line = line_through(known_point(begin), known_point(end));
   if (const auto* no = std::get_if<Impossible>(&line)) return fault(*no);
-  return Blend{std::make_shared<const Element>(std::get<Constructed<Line>>(line).value), false};
+  return Blend{ElementPtr(std::get<Constructed<Line>>(line).value), false};
 }
 
 std::variant<Blend, ContourFault> tangent_between(const Element& a, const Element& b) {
@@ -125,7 +125,7 @@ std::variant<Blend, ContourFault> tangent_between(const Element& a, const Elemen
   if (!first || !second) return fault(Kind::BevelKinds);
   const Construction<Line> line = common_tangent(*first, *second);
   if (const auto* no = std::get_if<Impossible>(&line)) return fault(*no);
-  return Blend{std::make_shared<const Element>(std::get<Constructed<Line>>(line).value), true};
+  return Blend{ElementPtr(std::get<Constructed<Line>>(line).value), true};
 }
 
 }  // namespace dgt

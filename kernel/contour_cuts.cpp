@@ -23,7 +23,7 @@ RationalPoint rational(const Point& p) {
 ElementPtr line_of(const Move& move) {
   const RationalPoint from = rational(move.from);
   const UnitVector normal = turned_left(direction_of(rational(move.to) - from).unit);
-  return std::make_shared<const Element>(Line::through(from, normal));
+  return ElementPtr(Line::through(from, normal));
 }
 
 /// Whether `b` goes on in the direction in which `a` ends, to within the contact resolution.

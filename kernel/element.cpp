@@ -19,7 +19,29 @@ OneRoot squared_distance(const RationalPoint& c, const ExactPoint& q) {
   return combine(1, squared(q.x - c.x), 1, squared(q.y - c.y), 0);
 }
 
+class KnownElement final : public ElementSource {
+ public:
+  explicit KnownElement(Element element) : element_(std::move(element)) {}
+  [[nodiscard]] const Element& element() const override { return element_; }
+
+ private:
+  Element element_;
+};
+
 }  // namespace
+
+ElementPtr::ElementPtr(Element element)
+    : source_(std::make_shared<const KnownElement>(std::move(element))) {}
+
+const Element& ElementOnDemand::element() const {
+  const Element* known = made_.load(std::memory_order_acquire);
+  if (known != nullptr) return *known;
+  auto fresh = std::make_unique<const Element>(make());
+  // Where another thread was faster, `known` becomes what it made.
+  if (made_.compare_exchange_strong(known, fresh.get(), std::memory_order_acq_rel))
+    known = fresh.release();
+  return *known;
+}
 
 UnitVector UnitVector::from_half_tangent(const Rational& t) {
   const Rational square = t * t;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <variant>
 
@@ -11,7 +12,54 @@ namespace dgt {
 
 /// What contours run along.
 using Element = std::variant<Line, Circle>;
-using ElementPtr = std::shared_ptr<const Element>;
+
+/// Where an element comes from that many share.
+class ElementSource {
+ public:
+  ElementSource() = default;
+  ElementSource(const ElementSource&) = delete;
+  ElementSource& operator=(const ElementSource&) = delete;
+  virtual ~ElementSource() = default;
+  /// The same object in every call.
+  [[nodiscard]] virtual const Element& element() const = 0;
+};
+
+/// An element that is worked out when it is first asked for. Threads may ask at once.
+///
+/// An NC program has millions of arcs, told in a few whole numbers each; their circles are ten
+/// times as large, and a program that is only read never asks for them.
+class ElementOnDemand : public ElementSource {
+ public:
+  ~ElementOnDemand() override { delete made_.load(std::memory_order_acquire); }
+  [[nodiscard]] const Element& element() const final;
+  [[nodiscard]] bool is_made() const { return made_.load(std::memory_order_acquire) != nullptr; }
+
+ private:
+  /// The same value in every call.
+  [[nodiscard]] virtual Element make() const = 0;
+
+  mutable std::atomic<const Element*> made_{nullptr};
+};
+
+/// A shared element, or none. Equal where both share one, not where two have the same value.
+class ElementPtr {
+ public:
+  ElementPtr() = default;
+  ElementPtr(std::nullptr_t) {}  // NOLINT: none, as of any pointer
+  explicit ElementPtr(Element element);
+  explicit ElementPtr(std::shared_ptr<const ElementSource> source) : source_(std::move(source)) {}
+
+  [[nodiscard]] const Element* get() const { return source_ ? &source_->element() : nullptr; }
+  [[nodiscard]] const Element& operator*() const { return source_->element(); }
+  [[nodiscard]] const Element* operator->() const { return &source_->element(); }
+  [[nodiscard]] explicit operator bool() const { return source_ != nullptr; }
+  [[nodiscard]] const std::shared_ptr<const ElementSource>& source() const { return source_; }
+
+  friend bool operator==(const ElementPtr&, const ElementPtr&) = default;
+
+ private:
+  std::shared_ptr<const ElementSource> source_;
+};
 
 [[nodiscard]] Element reversed(const Element& e);
 [[nodiscard]] Element offset(const Element& e, const Rational& distance);

@@ -396,6 +396,6 @@ Meeting meet(const Carrier& a, const Carrier& b) {
 
 Meeting meet(const Element& a, const Element& b) { return meet(carrier(a), carrier(b)); }
 
-Carrier carrier(const Element& e) { return {std::make_shared<const Element>(e), nullptr}; }
+Carrier carrier(const Element& e) { return {ElementPtr(e), nullptr}; }
 
 }  // namespace dgt

@@ -31,7 +31,7 @@ struct Wall {
   StretchBalls balls;
   Rational reach;  ///< of the tool beside it, mm
   std::size_t contour = 0;
-  std::size_t index = 0;  ///< into Contour::programmed
+  std::size_t index = 0;  ///< into the contour's programmed moves
 };
 
 /// How far the tool keeps away from the part on a cut: the shift of its element.
@@ -74,8 +74,9 @@ void add_walls(const Toolpath& path, std::size_t contour, std::vector<Wall>& wal
   const Reaches reaches(path, of);
   const bool is_offset = sgn(of.offset) != 0;
   const std::size_t before = walls.size();
-  for (std::size_t i = 0; i < of.programmed.size(); ++i) {
-    const Move& move = of.programmed[i];
+  const auto programmed = programmed_moves(path, of);
+  for (std::size_t i = 0; i < programmed.size(); ++i) {
+    const Move& move = programmed[i];
     if (!is_part(move) || !move.carrier.base || (is_offset && runs_backwards(move))) continue;
     walls.push_back({stretch_of(move), {}, reaches.of(move), contour, i});
   }
@@ -83,7 +84,6 @@ void add_walls(const Toolpath& path, std::size_t contour, std::vector<Wall>& wal
   Stretch& first = walls[before].stretch;
   Stretch& last = walls.back().stretch;
   if (first.from == last.to) return;
-  const auto& programmed = of.programmed;
   if (covers(programmed[walls[before].index], last.to)) {
     first.from = last.to;
   } else if (covers(programmed[walls.back().index], first.from)) {
@@ -107,7 +107,7 @@ std::optional<Way> way_of(const Move& move) {
   const auto* const made = std::get_if<Constructed<Line>>(&line);
   if (made == nullptr) return std::nullopt;
   const Line& along = made->value;
-  const Carrier on{std::make_shared<const Element>(along), nullptr};
+  const Carrier on{ElementPtr(along), nullptr};
   const RationalPoint foot = along.foot(to);
   const Vector step = arrival * along.direction().vector();
   return Way{{Point(from), Point(foot), on}, {Point(from + step), Point(foot - step), on}};

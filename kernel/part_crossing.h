@@ -22,7 +22,7 @@ enum class CrossingMoves : std::uint8_t {
 struct PartCrossing {
   std::size_t move = 0;     ///< counts into Toolpath::moves
   std::size_t contour = 0;  ///< into Toolpath::contours
-  std::size_t wall = 0;     ///< into Contour::programmed: what it meets there
+  std::size_t wall = 0;     ///< into the contour's programmed moves: what it meets there
   double depth =
       0;  ///< of a cut with an offset: how far the tool reaches into the part, mm; else 0
   double x = 0, y = 0;  ///< where on the move, mm

@@ -114,6 +114,15 @@ std::string contour_text(const Contour& contour) {
 
 }  // namespace
 
+std::span<const Move> moves_of(const Toolpath& path, const Contour& contour) {
+  return std::span(path.moves).subspan(contour.first, contour.last - contour.first);
+}
+
+std::span<const Move> programmed_moves(const Toolpath& path, const Contour& contour) {
+  if (contour.programmed) return *contour.programmed;
+  return moves_of(path, contour);
+}
+
 bool is_part(const Move& move) {
   if (!move.cuts()) return false;
   return move.role == Role::Contour || move.role == Role::Fillet || move.role == Role::Chamfer ||
@@ -145,7 +154,7 @@ double length(const Move& move) {
   return mpfr_get_d(length, MPFR_RNDN);
 }
 
-Lengths lengths(const std::vector<Move>& moves) {
+Lengths lengths(std::span<const Move> moves) {
   MpfrFloat cut(kMeasureBits);
   MpfrFloat rapid(kMeasureBits);
   MpfrFloat one(kMeasureBits);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,7 @@ struct Move {
   MoveKind kind = MoveKind::Line;
   Role role = Role::Contour;
   bool full_circle = false;  ///< an arc that ends where it began, once round
+  SourcePlace source;
   Point from;
   Point to;          ///< equals `from` for dwells, codes and full circles
   Carrier carrier;   ///< the exact curve of an arc, and of a line cut along an element; else null
@@ -54,7 +56,6 @@ struct Move {
   RationalPtr feed;  ///< mm/min, modal value in force; null: never set
   RationalPtr seconds;  ///< of a dwell
   std::string code;     ///< of a code: `M7`, `S100`
-  SourcePlace source;
 
   [[nodiscard]] bool cuts() const { return kind == MoveKind::Line || kind == MoveKind::Arc; }
   [[nodiscard]] bool travels() const { return cuts() || kind == MoveKind::Rapid; }
@@ -75,7 +76,8 @@ struct Contour {
   bool closed = false;
   std::size_t first = 0;  ///< the contour's moves are Toolpath::moves[first, last)
   std::size_t last = 0;
-  std::vector<Move> programmed;  ///< W = 0
+  /// The contour with W = 0; nothing where that is what the tool does. See programmed_moves().
+  std::optional<std::vector<Move>> programmed;
 };
 
 struct Toolpath {
@@ -84,6 +86,11 @@ struct Toolpath {
   std::vector<Contour> contours;
   std::vector<Move> moves;
 };
+
+/// What the tool does for the contour, one of the path's.
+[[nodiscard]] std::span<const Move> moves_of(const Toolpath& path, const Contour& contour);
+/// The same without the equidistant, W = 0.
+[[nodiscard]] std::span<const Move> programmed_moves(const Toolpath& path, const Contour& contour);
 
 /// Whether an arc covers more than, exactly, or less than half a turn: +1, 0, −1. Exact.
 [[nodiscard]] int half_turn_order(const Move& arc);
@@ -97,7 +104,7 @@ struct Lengths {
   double cut = 0;
   double rapid = 0;
 };
-[[nodiscard]] Lengths lengths(const std::vector<Move>& moves);
+[[nodiscard]] Lengths lengths(std::span<const Move> moves);
 [[nodiscard]] double length(const Move& move);
 
 /// The printed form (the guide's internal form): one line a move, the same on every machine.

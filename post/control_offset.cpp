@@ -45,7 +45,7 @@ struct Parts {
   std::optional<std::size_t> first;  ///< of the contour itself
   std::size_t last = 0;
 };
-Parts parts_of(const std::vector<Move>& moves) {
+Parts parts_of(std::span<const Move> moves) {
   Parts parts;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (!moves[i].cuts()) continue;
@@ -117,7 +117,7 @@ class Controller {
       fault(FaultKind::KerfImpossible, contour);
       return false;
     }
-    const std::vector<Move>& moves = contour.programmed;
+    const auto moves = programmed_moves(path_, contour);
     const Parts parts = parts_of(moves);
     const auto overlap = judge(contour, parts);
     if (!overlap) return true;
@@ -134,7 +134,7 @@ class Controller {
 
   /// How far to cut on behind the end; nothing when the control cannot do the contour.
   std::optional<double> judge(const Contour& contour, const Parts& parts) {
-    const std::vector<Move>& moves = contour.programmed;
+    const auto moves = programmed_moves(path_, contour);
     const double offset = std::fabs(nearest_double(contour.offset));
     const auto refuse = [&](FaultKind kind, double measure = 0, double limit = 0) {
       fault(kind, contour, measure, limit);
@@ -164,13 +164,12 @@ class Controller {
 
   /// Seen along the travel, which may run against the elements.
   bool is_left(const Contour& contour) const {
-    const Parts parts = parts_of(contour.programmed);
-    const auto begin = path_.moves.begin() + static_cast<std::ptrdiff_t>(contour.first);
-    const std::vector<Move> moved(begin,
-                                  path_.moves.begin() + static_cast<std::ptrdiff_t>(contour.last));
+    const auto programmed = programmed_moves(path_, contour);
+    const Parts parts = parts_of(programmed);
+    const auto moved = moves_of(path_, contour);
     const Parts moved_parts = parts_of(moved);
     if (!parts.first || !moved_parts.first) return contour.side == Side::Left;
-    const Move& first = contour.programmed[*parts.first];
+    const Move& first = programmed[*parts.first];
     const Move& beside = moved[*moved_parts.first];
     const Direction along = direction_of(first, false);
     return along.x * (beside.from.y() - first.from.y()) -

@@ -120,7 +120,7 @@ class DgtProgram {
   std::optional<std::vector<std::string>> items_of(const Contour& contour,
                                                    std::span<const Move> moves, DgtStyle style) {
     if (is_with_width(style))
-      return dgt_items_with_leads(contour.programmed, contour.closed, style, names_);
+      return dgt_items_with_leads(programmed_moves(path_, contour), contour.closed, style, names_);
     if (style == DgtStyle::Points) return dgt_items(moves, contour.closed, style, names_);
     const bool is_round = !moves.empty() && moves.front().from == moves.back().to;
     return dgt_items(moves, is_round, style, names_);

@@ -58,7 +58,8 @@ class DxfDrawing {
     header(path);
     tables();
     section("ENTITIES");
-    for (const Contour& contour : path.contours) draw(contour.programmed, MoveKind::Line, kContour);
+    for (const Contour& contour : path.contours)
+      draw(programmed_moves(path, contour), MoveKind::Line, kContour);
     draw(path.moves, MoveKind::Line, kEquidistant);
     draw(path.moves, MoveKind::Rapid, kRapids);
     groups_.add(0, "ENDSEC");

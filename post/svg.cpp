@@ -118,7 +118,7 @@ void add(Box& box, const NamedShape& named, bool alone) {
 Sheet sheet_of(const Toolpath& path, const DrawingStyle& style, std::span<const NamedShape> named) {
   Box box = box_of(path.moves);
   box.add(coordinate(path.start.x), coordinate(path.start.y));
-  for (const Contour& contour : path.contours) add(box, box_of(contour.programmed));
+  for (const Contour& contour : path.contours) add(box, box_of(programmed_moves(path, contour)));
   for (const NamedShape& shape : named) add(box, shape, path.moves.empty());
   constexpr double kLeastSide = 1;  // mm: a path that goes nowhere still has a sheet
   const double share = named.empty() ? style.margin : style.margin_named;
@@ -227,7 +227,7 @@ class Drawing {
 
 void draw_programmed(Drawing& drawing, const Toolpath& path) {
   for (const Contour& contour : path.contours) {
-    drawing.path(path_data(contour.programmed, is_cut));
+    drawing.path(path_data(programmed_moves(path, contour), is_cut));
   }
 }
 
@@ -237,7 +237,7 @@ void draw_equidistant(Drawing& drawing, const Toolpath& path) {
   std::size_t at = 0;
   for (const Contour& contour : path.contours) {
     drawing.path(path_data(moves.subspan(at, contour.first - at), is_cut));
-    drawing.path(path_data(moves.subspan(contour.first, contour.last - contour.first), is_cut));
+    drawing.path(path_data(moves_of(path, contour), is_cut));
     at = contour.last;
   }
   drawing.path(path_data(moves.subspan(at), is_cut));

@@ -64,7 +64,7 @@ class NamesWriter {
   NamesWriter(const Sheet& sheet, double letter) : sheet_(sheet), letter_(letter) {}
 
   /// Half-way along each cut; and what the names had better not cover.
-  void pass(const std::vector<Move>& moves, bool with_heads) {
+  void pass(std::span<const Move> moves, bool with_heads) {
     for (const Move& move : moves) {
       if (!move.travels()) continue;
       const double way = length(move);
@@ -283,7 +283,7 @@ NamesLayout lay_out_names(std::span<const NamedShape> shapes, const Toolpath& pa
                           const Sheet& sheet, double letter) {
   NamesWriter writer(sheet, letter);
   writer.pass(path.moves, true);
-  for (const Contour& contour : path.contours) writer.pass(contour.programmed, false);
+  for (const Contour& contour : path.contours) writer.pass(programmed_moves(path, contour), false);
   for (const NamedShape& named : shapes) writer.draw(named);
   return writer.finish();
 }

@@ -58,7 +58,7 @@ Step<std::vector<Chain>> loops_of_program(const Request& request, const Console&
   std::vector<Chain> chains;
   for (const Contour& contour : path->contours) {
     const std::string id = std::to_string(contour.id);
-    if (auto chain = loop_of(contour)) {
+    if (auto chain = loop_of(*path, contour)) {
       const std::string edges = std::to_string(chain->edges.size());
       if (chain->closed)
         console.note(Text::LoopTaken, {id, edges, fmt::format("{:.6f}", area(*chain))});

@@ -76,10 +76,6 @@ std::optional<double> distance(std::span<const Move> a, std::span<const Move> b)
   return most;
 }
 
-std::span<const Move> moves_of(const Toolpath& path, const Contour& contour) {
-  return {path.moves.data() + contour.first, contour.last - contour.first};
-}
-
 class DgtWriting {
  public:
   DgtWriting(const Toolpath& path, std::string title) : path_(path), title_(std::move(title)) {

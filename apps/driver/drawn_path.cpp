@@ -27,7 +27,7 @@ class Patience {
   std::size_t moves_ = 0;
 };
 
-std::vector<Move> parts_of(const std::vector<Move>& moves) {
+std::vector<Move> parts_of(std::span<const Move> moves) {
   std::vector<Move> parts;
   std::ranges::copy_if(moves, std::back_inserter(parts), is_part);
   return parts;
@@ -55,7 +55,7 @@ std::optional<DrawnPath> DrawnPath::of(const Toolpath& path,
   for (const Contour& contour : path.contours) {
     out.kerfs_.push_back(
         {static_cast<std::uint32_t>(contour.first), std::fabs(nearest_double(contour.offset))});
-    for (const Move& move : contour.programmed) {
+    for (const Move& move : programmed_moves(path, contour)) {
       if (patience.ends()) return std::nullopt;
       if (move.cuts()) out.programmed_.add(move, number);
       ++number;
@@ -71,7 +71,8 @@ void DrawnPath::measure(const Toolpath& path) {
     add(box_, layer->box());
   }
   box_.add(start_.x, start_.y);
-  for (const Contour& contour : path.contours) add(part_box_, box_of(parts_of(contour.programmed)));
+  for (const Contour& contour : path.contours)
+    add(part_box_, box_of(parts_of(programmed_moves(path, contour))));
   if (!part_box_.empty()) return;
   std::vector<Move> cuts;
   std::ranges::copy_if(path.moves, std::back_inserter(cuts), &Move::cuts);

@@ -53,7 +53,7 @@ class ContourNames {
   explicit ContourNames(const Compilation& made)
       : path_(*made.result.path), table_(made.result.elements), words_(made) {
     for (const Contour& contour : path_.contours) {
-      for (const Move& move : contour.programmed) add(move);
+      for (const Move& move : programmed_moves(path_, contour)) add(move);
     }
   }
   [[nodiscard]] const std::vector<NamedShape>& shapes() const { return shapes_; }

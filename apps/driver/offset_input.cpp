@@ -25,9 +25,9 @@ RationalPoint stand_in(const Point& p) {
   return {stand_in(exact.x), stand_in(exact.y)};
 }
 
-std::vector<Move> part_of(const Contour& contour) {
+std::vector<Move> part_of(const Toolpath& path, const Contour& contour) {
   std::vector<Move> part;
-  for (const Move& move : contour.programmed) {
+  for (const Move& move : programmed_moves(path, contour)) {
     if (is_part(move)) part.push_back(move);
   }
   return part;
@@ -80,8 +80,8 @@ void add_vertices(std::vector<BulgeVertex>& vertices, const Move& move) {
 
 }  // namespace
 
-std::optional<Chain> loop_of(const Contour& contour) {
-  std::vector<Move> part = part_of(contour);
+std::optional<Chain> loop_of(const Toolpath& path, const Contour& contour) {
+  std::vector<Move> part = part_of(path, contour);
   if (part.empty() || !is_connected(part)) return std::nullopt;
   const bool closed = close(part);
   std::vector<BulgeVertex> vertices;

@@ -57,7 +57,7 @@ Move move_along(const OffsetPiece& piece) {
   move.to = piece.to;
   if (!piece.is_line) {
     move.kind = MoveKind::Arc;
-    move.carrier.base = std::make_shared<const Element>(Circle(piece.centre, piece.radius));
+    move.carrier.base = ElementPtr(Circle(piece.centre, piece.radius));
   }
   return move;
 }

@@ -12,15 +12,15 @@
 namespace dgt {
 namespace {
 
-void append_contour(MoveJson& json, const Contour& contour, std::span<const Move> moves) {
+void append_contour(MoveJson& json, const Toolpath& path, const Contour& contour) {
   fmt::format_to(std::back_inserter(json.out), "  {{\"id\": {}, \"offset\": ", contour.id);
   json.number(coordinate(contour.offset));
   fmt::format_to(std::back_inserter(json.out), ", \"side\": \"{}\", \"closed\": {},\n",
                  name_of(contour.side), contour.closed);
   json.out += "   \"programmed\": ";
-  json.moves(contour.programmed);
+  json.moves(programmed_moves(path, contour));
   json.out += ",\n   \"moves\": ";
-  json.moves(moves);
+  json.moves(moves_of(path, contour));
   json.out += '}';
 }
 
@@ -31,14 +31,13 @@ std::string to_json(const Toolpath& path) {
   json.out = "{\"schema\": \"dgt-path/1\", \"units\": \"mm\",\n \"start\": ";
   json.point(coordinate(path.start.x), coordinate(path.start.y));
   json.out += ",\n \"contours\": [";
-  const std::span<const Move> moves = path.moves;
   for (std::size_t i = 0; i < path.contours.size(); ++i) {
     const Contour& contour = path.contours[i];
     json.out += i == 0 ? "\n" : ",\n";
-    append_contour(json, contour, moves.subspan(contour.first, contour.last - contour.first));
+    append_contour(json, path, contour);
   }
   json.out += "],\n \"moves\": ";
-  json.moves(moves);
+  json.moves(path.moves);
   const Lengths sums = lengths(path.moves);
   json.out += ",\n \"length\": {\"cut\": ";
   json.number(sums.cut);

@@ -87,7 +87,8 @@ Summary summarise(const Toolpath& path, const MotionSettings& motion) {
 
 WayLengths way_lengths(const Toolpath& path) {
   WayLengths sum;
-  for (const Contour& contour : path.contours) sum.programmed += lengths(contour.programmed).cut;
+  for (const Contour& contour : path.contours)
+    sum.programmed += lengths(programmed_moves(path, contour)).cut;
   const Lengths tool = lengths(path.moves);
   sum.cut = tool.cut;
   sum.rapid = tool.rapid;

@@ -48,7 +48,7 @@ std::vector<ContourItem> turned_at(const OpenContour& contour, std::size_t item)
   for (std::size_t i = item; i < items.size(); ++i) {
     if (contour.origins[i].range != contour.origins[item].range) continue;
     if (auto* const along = std::get_if<AlongItem>(&items[i].what)) {
-      along->element = std::make_shared<const Element>(reversed(*along->element));
+      along->element = ElementPtr(reversed(*along->element));
     }
   }
   return items;

@@ -107,7 +107,7 @@ void ContourWriter::take_element(const Item& item) {
   const std::optional<ElementName> name = evaluation_.name_of(item);
   ElementPtr element = name ? evaluation_.element(item, *name) : nullptr;
   if (!element) return mark_broken();
-  if (!frame_.is_world) element = std::make_shared<const Element>(placed(*element, frame_.frame));
+  if (!frame_.is_world) element = ElementPtr(placed(*element, frame_.frame));
   add(AlongItem{std::move(element)}, item, *name);
 }
 
@@ -127,7 +127,7 @@ void ContourWriter::take_axis(const Item& item) {
   if (!value) return mark_broken();
   Element line = item.letter == 'X' ? vertical_line(*value) : horizontal_line(*value);
   if (!frame_.is_world) line = placed(line, frame_.frame);
-  add(AxisItem{std::make_shared<const Element>(std::move(line))}, item);
+  add(AxisItem{ElementPtr(std::move(line))}, item);
 }
 
 void ContourWriter::take_frame(const Item& item) {

@@ -24,7 +24,7 @@ class CrossingReporter {
     const std::string x = micrometres(crossing.x);
     const std::string y = micrometres(crossing.y);
     const Range range = word_at(move.source);
-    const Range wall = word_at(contour.programmed[crossing.wall].source);
+    const Range wall = word_at(programmed_moves(path_, contour)[crossing.wall].source);
     Diagnostic told{message_of(move, crossing), range, {name, x, y}};
     if (move.kind != MoveKind::Rapid) {
       told.arguments.insert(told.arguments.begin(), std::string(range.text()));

@@ -77,12 +77,12 @@ class Operands {
 
 ElementEntry entry_of(Line line) {
   ElementEntry entry;
-  entry.element = std::make_shared<const Element>(std::move(line));
+  entry.element = ElementPtr(std::move(line));
   return entry;
 }
 ElementEntry entry_of(Circle circle) {
   ElementEntry entry;
-  entry.element = std::make_shared<const Element>(std::move(circle));
+  entry.element = ElementPtr(std::move(circle));
   return entry;
 }
 ElementEntry entry_of(KnownPoint point) {

@@ -125,7 +125,7 @@ ElementPtr Evaluation::element(const Item& item, const ElementName& name) {
   if (look_up(item, name) == nullptr) return nullptr;
   ElementEntry& entry = elements.at(static_cast<ElementKind>(name.letter), name.number);
   if (!name.reversed) return entry.element;
-  if (!entry.reversed) entry.reversed = std::make_shared<const Element>(reversed(*entry.element));
+  if (!entry.reversed) entry.reversed = ElementPtr(reversed(*entry.element));
   return entry.reversed;
 }
 

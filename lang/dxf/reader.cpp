@@ -26,7 +26,7 @@ std::vector<Move> moves_along(const DxfContour& contour) {
     if (piece.circle) {
       move.kind = MoveKind::Arc;
       move.full_circle = piece.is_whole_circle();
-      move.carrier.base = std::make_shared<const Element>(*piece.circle);
+      move.carrier.base = ElementPtr(*piece.circle);
     }
     move.source = place_of(piece.place);
     moves.push_back(std::move(move));
@@ -139,7 +139,7 @@ class DxfPath {
     Contour contour;
     contour.id = static_cast<unsigned>(path_.contours.size() + 1);
     contour.closed = closed;
-    contour.programmed = programmed;
+    if (offset.side != Side::None) contour.programmed = programmed;
     contour.offset = offset.distance;
     contour.side = offset.side;
     const Move& first = moves.front();

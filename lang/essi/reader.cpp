@@ -13,6 +13,7 @@
 #include "lang/essi/block.h"
 #include "lang/nc/arc_check.h"
 #include "lang/nc/path_builder.h"
+#include "lang/nc/told_arc.h"
 
 namespace dgt {
 namespace {
@@ -322,19 +323,21 @@ class EssiReader {
     const Spot from = path_.at();
     const Spot to = from + frame_.place(arc.chord);
     if (!torch_is_on_) dark_arcs_.push_back({path_.size(), range_of(block)});
-    path_.arc(to, frame_.is_plain ? circle_of(arc, from) : placed(circle_of(arc, {}), from),
-              nullptr, place_of(block));
+    path_.arc(to, frame_.is_plain ? curve_of(arc, from) : placed(curve_of(arc, {}), from), nullptr,
+              place_of(block));
   }
 
-  static Circle circle_of(const Arc& arc, const Spot& from) {
+  static ElementPtr curve_of(const Arc& arc, const Spot& from) {
     if (!arc.is_by_radius)
-      return circle_by_centre(from, arc.chord, arc.centre, arc.counter_clockwise);
-    if (arc.is_half_turn) return half_turn(from, arc.chord, arc.counter_clockwise);
-    return circle_by_radius(from, arc.chord, arc.radius, arc.major, arc.counter_clockwise);
+      return told_by_centre(from, arc.chord, arc.centre, arc.counter_clockwise);
+    if (arc.is_half_turn) return told_half_turn(from, arc.chord, arc.counter_clockwise);
+    return told_by_radius(from, arc.chord, arc.radius, arc.major, arc.counter_clockwise);
   }
 
-  [[nodiscard]] Circle placed(const Circle& circle, const Spot& from) const {
-    return {from.exact() + frame_.place(circle.centre()), frame_.scale * circle.radius()};
+  [[nodiscard]] ElementPtr placed(const ElementPtr& arc, const Spot& from) const {
+    const auto& circle = std::get<Circle>(*arc);
+    return ElementPtr(
+        Circle(from.exact() + frame_.place(circle.centre()), frame_.scale * circle.radius()));
   }
 
   // --- calls

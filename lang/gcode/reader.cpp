@@ -11,6 +11,7 @@
 #include "lang/gcode/codes.h"
 #include "lang/nc/arc_check.h"
 #include "lang/nc/path_builder.h"
+#include "lang/nc/told_arc.h"
 
 namespace dgt {
 namespace {
@@ -380,12 +381,12 @@ class GcodeReader {
       return skip_arc(to, std::move(height));
     }
     if (const auto middle = division_of(chord, centre, ccw)) {
-      path_.arc(from + *middle, circle_by_centre(from, *middle, centre, ccw), nullptr, place_);
-      path_.arc(to, circle_by_centre(from + *middle, chord - *middle, centre - *middle, ccw),
+      path_.arc(from + *middle, told_by_centre(from, *middle, centre, ccw), nullptr, place_);
+      path_.arc(to, told_by_centre(from + *middle, chord - *middle, centre - *middle, ccw),
                 std::move(height), place_);
       return;
     }
-    path_.arc(to, circle_by_centre(from, chord, centre, ccw), std::move(height), place_);
+    path_.arc(to, told_by_centre(from, chord, centre, ccw), std::move(height), place_);
   }
 
   void arc_by_radius(const Spot& to, bool ccw, RationalPtr height) {
@@ -403,9 +404,10 @@ class GcodeReader {
     const bool is_fault = verdict.message && verdict.message->severity() == Severity::Error;
     if (verdict.message) bag_.add(*std::move(verdict.message));
     if (is_fault) return skip_arc(to, std::move(height));
-    const Circle circle = verdict.is_half_turn ? half_turn(from, chord, ccw)
-                                               : circle_by_radius(from, chord, radius, major, ccw);
-    path_.arc(to, circle, std::move(height), place_);
+    path_.arc(to,
+              verdict.is_half_turn ? told_half_turn(from, chord, ccw)
+                                   : told_by_radius(from, chord, radius, major, ccw),
+              std::move(height), place_);
   }
 
   const SourceFile& file_;

@@ -141,6 +141,9 @@ class KerfPath {
     std::vector<Contour> found = contours_of(programmed);
     if (found.empty()) return;
     Contour contour = std::move(found.front());
+    const auto begin = programmed.begin();
+    contour.programmed.emplace(begin + static_cast<std::ptrdiff_t>(contour.first),
+                               begin + static_cast<std::ptrdiff_t>(contour.last));
     contour.id = static_cast<unsigned>(out_.contours.size() + 1);
     if (built != nullptr) {
       contour.offset = built->offset;

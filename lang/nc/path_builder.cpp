@@ -40,12 +40,12 @@ void PathBuilder::line(const Spot& to, RationalPtr height, const SourcePlace& pl
   travel(MoveKind::Line, to, std::move(height), place);
 }
 
-void PathBuilder::arc(const Spot& to, const Circle& circle, RationalPtr height,
+void PathBuilder::arc(const Spot& to, ElementPtr circle, RationalPtr height,
                       const SourcePlace& place) {
   const bool full_circle = to == at_;
   Move& move = travel(MoveKind::Arc, to, std::move(height), place);
   move.full_circle = full_circle;
-  move.carrier.base = std::make_shared<const Element>(circle);
+  move.carrier.base = std::move(circle);
 }
 
 void PathBuilder::dwell(RationalPtr seconds, const SourcePlace& place) {
@@ -126,7 +126,6 @@ std::vector<Contour> contours_of(std::vector<Move>& moves) {
       if (moves[i].cuts()) contour.last = i + 1;
     const std::span<Move> run(moves.data() + contour.first, contour.last - contour.first);
     contour.closed = mark_leads(run);
-    contour.programmed.assign(run.begin(), run.end());
     contours.push_back(std::move(contour));
   }
   return contours;

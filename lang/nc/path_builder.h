@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "kernel/circle.h"
+#include "kernel/element.h"
 #include "lang/nc/length.h"
 #include "lang/nc/program.h"
 
@@ -30,7 +30,7 @@ class PathBuilder {
   void rapid(const Spot& to, RationalPtr height, const SourcePlace& place);
   void line(const Spot& to, RationalPtr height, const SourcePlace& place);
   /// An arc to `to`; once round when that is where the tool stands.
-  void arc(const Spot& to, const Circle& circle, RationalPtr height, const SourcePlace& place);
+  void arc(const Spot& to, ElementPtr circle, RationalPtr height, const SourcePlace& place);
   void dwell(RationalPtr seconds, const SourcePlace& place);
   void code(std::string code, const SourcePlace& place);
   /// Acts on the moves to come.

@@ -33,7 +33,7 @@ std::vector<Move> moves_along(const Chain& chain) {
     move.to = Point(edge.to);
     if (!edge.is_line()) {
       move.kind = MoveKind::Arc;
-      move.carrier.base = std::make_shared<const Element>(Circle(edge.centre(), edge.radius));
+      move.carrier.base = ElementPtr(Circle(edge.centre(), edge.radius));
     }
     moves.push_back(std::move(move));
   }
@@ -51,14 +51,15 @@ Toolpath toolpath_of(const std::vector<PolyLoop>& loops, const SourceFile& file)
     Contour contour;
     contour.id = static_cast<unsigned>(path.contours.size() + 1);
     contour.closed = loop.chain.closed;
-    contour.programmed = moves_along(loop.chain);
+    std::vector<Move> moves = moves_along(loop.chain);
     for (std::size_t i = 0; i < loop.places.size(); ++i) {
-      contour.programmed[i].source = place_of(loop.places[i]);
+      moves[i].source = place_of(loop.places[i]);
     }
-    const Move& first = contour.programmed.front();
+    const Move& first = moves.front();
     if (!(first.from == at)) path.moves.push_back(rapid_between(at, first.from, first.source));
     contour.first = path.moves.size();
-    path.moves.insert(path.moves.end(), contour.programmed.begin(), contour.programmed.end());
+    path.moves.insert(path.moves.end(), std::make_move_iterator(moves.begin()),
+                      std::make_move_iterator(moves.end()));
     contour.last = path.moves.size();
     at = path.moves.back().to;
     path.contours.push_back(std::move(contour));

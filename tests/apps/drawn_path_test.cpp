@@ -42,7 +42,7 @@ Toolpath sample() {
   contour.offset = Rational(-1, 4);
   contour.first = 2;
   contour.last = 4;
-  contour.programmed = {asked_for(support::line(at(10, 1), at(30, 1)), 4)};
+  contour.programmed = std::vector{asked_for(support::line(at(10, 1), at(30, 1)), 4)};
   path.contours.push_back(contour);
   return path;
 }

@@ -41,7 +41,7 @@ Toolpath sample() {
   contour.closed = true;
   contour.first = 3;
   contour.last = 5;
-  contour.programmed = {line};
+  contour.programmed = std::vector{line};
   path.contours = {contour};
   return path;
 }

@@ -35,7 +35,6 @@ void check_path(const Toolpath& path) {
   }
   for (const Contour& contour : path.contours) {
     DGT_CHECK(contour.first < contour.last && contour.last <= path.moves.size());
-    DGT_CHECK(!contour.programmed.empty());
   }
 }
 

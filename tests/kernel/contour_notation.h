@@ -12,7 +12,7 @@ namespace dgt::notation {
 
 inline Rational number(const std::string& text) { return parse_decimal(text).value(); }
 
-inline ElementPtr element(Element e) { return std::make_shared<const Element>(std::move(e)); }
+inline ElementPtr element(Element e) { return ElementPtr(std::move(e)); }
 inline ElementPtr horizontal(const std::string& y) { return element(horizontal_line(number(y))); }
 inline ElementPtr vertical(const std::string& x) { return element(vertical_line(number(x))); }
 inline ElementPtr circle(const std::string& x, const std::string& y, const std::string& r) {

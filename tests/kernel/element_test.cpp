@@ -4,7 +4,13 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <latch>
+#include <memory>
+#include <thread>
+#include <vector>
 
 #include "kernel/construct.h"
 
@@ -40,6 +46,63 @@ TEST(Circle, IsEatenByAnOffsetThatReachesItsRadius) {
 }
 
 TEST(Circle, OfRadiusZeroThereIsNone) { EXPECT_THROW(Circle({0, 0}, 0), InternalError); }
+
+// --- elements on demand -------------------------------------------------------------------------
+
+class CountedCircle final : public ElementOnDemand {
+ public:
+  mutable std::atomic<int> times_made = 0;
+
+ private:
+  [[nodiscard]] Element make() const override {
+    ++times_made;
+    return Circle({1, 2}, -3);
+  }
+};
+
+TEST(ElementOnDemand, IsMadeWhenItIsFirstAskedForAndOnce) {
+  const auto source = std::make_shared<const CountedCircle>();
+  const ElementPtr element(source);
+  const ElementPtr copy = element;
+  EXPECT_TRUE(element);
+  EXPECT_EQ(element, copy);
+  EXPECT_FALSE(source->is_made());
+  EXPECT_EQ(*element, Element(Circle({1, 2}, -3)));
+  EXPECT_EQ(element.get(), copy.get());
+  EXPECT_TRUE(source->is_made());
+  EXPECT_EQ(source->times_made, 1);
+}
+
+TEST(ElementOnDemand, ThreadsThatAskAtOnceGetTheSameOne) {
+  for (int round = 0; round < 50; ++round) {
+    const ElementPtr element(std::make_shared<const CountedCircle>());
+    std::latch all_there(4);
+    std::array<const Element*, 4> seen{};
+    std::vector<std::thread> threads;
+    for (const Element*& mine : seen) {
+      threads.emplace_back([&] {
+        all_there.arrive_and_wait();
+        mine = element.get();
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const Element* const one : seen) EXPECT_EQ(one, element.get());
+  }
+}
+
+TEST(ElementPtr, IsEqualWhereOneIsSharedNotWhereTwoAreAlike) {
+  const ElementPtr none;
+  const ElementPtr one(Circle({0, 0}, 1));
+  const ElementPtr other(Circle({0, 0}, 1));
+  EXPECT_FALSE(none);
+  EXPECT_EQ(none, nullptr);
+  EXPECT_EQ(none.get(), nullptr);
+  EXPECT_NE(one, none);
+  EXPECT_NE(one, other);
+  EXPECT_EQ(*one, *other);
+}
+
+// --- places beside elements ---------------------------------------------------------------------
 
 TEST(SideOf, LeftIsPositiveAndOnItIsZero) {
   EXPECT_EQ(side_of(horizontal_line(0), at(5, 1)), 1);

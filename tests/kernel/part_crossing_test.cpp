@@ -107,7 +107,7 @@ TEST_F(PartCrossing20x10, ALeadAlongTheTangentOfACircleIsAContactNotACrossing) {
   arc.from = at("7", "0");
   arc.to = at("-7", "0");
   arc.carrier = carrier(*circle("0", "0", "7"));
-  contour.programmed.push_back(arc);
+  contour.programmed = std::vector{arc};
   Move lead;
   lead.role = Role::LeadIn;
   lead.from = at("7", "-9");

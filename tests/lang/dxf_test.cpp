@@ -239,7 +239,7 @@ TEST(Dxf, ArraysAreTurnedWithTheirBlock) {
                        "0 SECTION|2 BLOCKS|0 BLOCK|2 D|0 CIRCLE|10 0|20 0|40 1|0 ENDBLK|0 ENDSEC"));
   std::set<std::pair<double, double>> centres;
   for (const Contour& contour : path.contours) {
-    const RationalPoint centre = contour.programmed.at(0).circle().centre();
+    const RationalPoint centre = programmed_moves(path, contour).front().circle().centre();
     centres.emplace(nearest_double(centre.x), nearest_double(centre.y));
   }
   const std::set<std::pair<double, double>> expected = {{0, 0},  {0, 10},  {0, 20},
@@ -320,7 +320,7 @@ TEST(Dxf, LoopsThatTouchInOnePlaceAreTwoContours) {
   ASSERT_THAT(path.contours, SizeIs(2));
   for (const Contour& contour : path.contours) {
     EXPECT_TRUE(contour.closed);
-    EXPECT_THAT(contour.programmed, SizeIs(3));
+    EXPECT_EQ(programmed_moves(path, contour).size(), 3U);
   }
 }
 
@@ -331,7 +331,7 @@ TEST(Dxf, HolesAreCutBeforeWhatTheyLieIn) {
   ASSERT_THAT(path.contours, SizeIs(4));
   std::vector<double> begins;
   for (const Contour& contour : path.contours)
-    begins.push_back(contour.programmed.front().from.x());
+    begins.push_back(programmed_moves(path, contour).front().from.x());
   EXPECT_EQ(begins, (std::vector<double>{20, 10, 0, 200}));
 }
 
@@ -339,7 +339,7 @@ TEST(Dxf, AnEllipseInAPlateIsAHoleOfIt) {
   const Toolpath path =
       path_of(dxf_file(rectangle(0, 0, 100, 60) + "|0 ELLIPSE|10 50|20 30|11 15|21 0|40 0.1"));
   ASSERT_THAT(path.contours, SizeIs(2));
-  EXPECT_EQ(path.contours[0].programmed.front().from.x(), 65);
+  EXPECT_EQ(programmed_moves(path, path.contours[0]).front().from.x(), 65);
 }
 
 TEST(Dxf, ThePartLiesOnTheSideThatIsAskedFor) {
@@ -362,7 +362,7 @@ TEST(Dxf, ThePartLiesOnTheSideThatIsAskedFor) {
 TEST(Dxf, InDrawnOrderNothingIsSorted) {
   const std::string entities = rectangle(0, 0, 100, 100) + "|" + rectangle(10, 10, 80, 80);
   const Toolpath path = path_of(dxf_file(entities), {.order = DxfOrder::File});
-  EXPECT_EQ(path.contours.at(0).programmed.front().from.x(), 0);
+  EXPECT_EQ(programmed_moves(path, path.contours.at(0)).front().from.x(), 0);
 }
 
 TEST(Dxf, TheKerfRunsOutsidePartsAndInsideHoles) {

@@ -81,7 +81,7 @@ std::string path_without_places(std::string_view text, std::string& faults) {
   if (!result.path) return "";
   for (Move& move : result.path->moves) move.source.column = 0;
   for (Contour& contour : result.path->contours) {
-    for (Move& move : contour.programmed) move.source.column = 0;
+    for (Move& move : contour.programmed.value()) move.source.column = 0;
   }
   return to_json(*result.path);
 }

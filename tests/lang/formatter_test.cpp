@@ -170,7 +170,7 @@ std::string path_of(std::string_view text, const std::string& name, SourceLoader
   }
   for (Move& move : result.path->moves) move.source = {};
   for (Contour& contour : result.path->contours) {
-    for (Move& move : contour.programmed) move.source = {};
+    for (Move& move : contour.programmed.value()) move.source = {};
   }
   return to_json(*result.path);
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lang/nc/arc_check.h"
+#include "lang/nc/told_arc.h"
 
 namespace dgt {
 namespace {
@@ -85,6 +86,67 @@ TEST(NcArc, OnTheGridAndOffItAreTheSameArc) {
     expect_near(circle_by_radius(arc.from, arc.chord, radius, i % 2 == 0, i % 3 == 0),
                 circle_by_radius(off, arc.chord, radius, i % 2 == 0, i % 3 == 0));
   }
+}
+
+TEST(NcArc, OnTheGridTheLargestLengthsOverflowNothing) {
+  const Rational bound = power_of_two(-90);
+  const long most = Point::kMaxDecimalSteps;
+  const Length largest = Length::of_steps(most);
+  for (const Spot& chord : {spot(most, most), spot(-most, most), spot(most, 1), spot(-1, -most)}) {
+    for (const Spot& from : {spot(most, -most), spot(-most, -most)}) {
+      const Spot centre = spot(chord.x.steps() - 1, -chord.y.steps() + 3);
+      const Circle told = circle_by_centre(from, chord, centre, true);
+      const Circle other = circle_by_centre(off_grid(from), chord, centre, true);
+      EXPECT_LT(abs(told.centre().x - other.centre().x), bound);
+      EXPECT_LT(abs(told.centre().y - other.centre().y), bound);
+      EXPECT_LT(abs(told.radius() - other.radius()), bound);
+      const Circle by_radius = circle_by_radius(from, chord, largest, false, true);
+      const Circle beside = circle_by_radius(off_grid(from), chord, largest, false, true);
+      EXPECT_LT(abs(by_radius.centre().x - beside.centre().x), bound);
+      EXPECT_LT(abs(by_radius.centre().y - beside.centre().y), bound);
+    }
+  }
+}
+
+/// Of a circle that is known at once, true as well.
+bool is_made(const ElementPtr& element) {
+  const auto* const later = dynamic_cast<const ElementOnDemand*>(element.source().get());
+  return later == nullptr || later->is_made();
+}
+
+TEST(NcArc, AsElementsAreTheCirclesThatTheirOperandsGive) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const RandomArc arc = random_arc(random);
+    const bool ccw = i % 2 == 0;
+    const bool major = i % 3 == 0;
+    const Length radius =
+        Length::of_steps(std::abs(arc.chord.x.steps()) + std::abs(arc.chord.y.steps()));
+    for (const Spot& from : {arc.from, off_grid(arc.from)}) {
+      EXPECT_EQ(*told_by_centre(from, arc.chord, arc.centre, ccw),
+                Element(circle_by_centre(from, arc.chord, arc.centre, ccw)));
+      EXPECT_EQ(*told_by_radius(from, arc.chord, radius, major, ccw),
+                Element(circle_by_radius(from, arc.chord, radius, major, ccw)));
+      EXPECT_EQ(*told_half_turn(from, arc.chord, ccw), Element(half_turn(from, arc.chord, ccw)));
+    }
+  }
+}
+
+TEST(NcArc, OnTheGridTheCircleIsWorkedOutWhenItIsAskedForAndOffItAtOnce) {
+  const Spot chord = spot(2'000'000'000, 0);
+  const Spot centre = spot(1'000'000'000, 1'000'000'000);
+  const Length radius = Length::of_steps(1'500'000'000);
+  const Length fine(Rational(3, 2) + power_of_two(-130));
+  const Spot off = off_grid(Spot());
+  EXPECT_FALSE(is_made(told_by_centre(Spot(), chord, centre, true)));
+  EXPECT_TRUE(is_made(told_by_centre(off, chord, centre, true)));
+  EXPECT_TRUE(is_made(told_by_centre(Spot(), off_grid(chord), centre, true)));
+  EXPECT_TRUE(is_made(told_by_centre(Spot(), chord, off_grid(centre), true)));
+  EXPECT_FALSE(is_made(told_by_radius(Spot(), chord, radius, false, true)));
+  EXPECT_TRUE(is_made(told_by_radius(off, chord, radius, false, true)));
+  EXPECT_TRUE(is_made(told_by_radius(Spot(), chord, fine, false, true)));
+  EXPECT_FALSE(is_made(told_half_turn(Spot(), chord, true)));
+  EXPECT_TRUE(is_made(told_half_turn(off, chord, true)));
 }
 
 TEST(NcArc, ByRadiusTheRadiusIsExactAndTheLargerArcHasItsCentreOnTheOtherSide) {

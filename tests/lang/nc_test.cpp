@@ -159,16 +159,35 @@ TEST(Essi, TheSenseOfTheTurnAndTheUnitOfTheScaleAreSettings) {
             "start X0.000000 Y0.000000\n1 code 53\n2 line X0.000000 Y-5.000000 contour\n");
 }
 
+TEST(Essi, NoCircleIsWorkedOutBeforeItIsAskedFor) {
+  const SourceFile file("t.ess", "53\n+100+0+80-+\n+0+100+80-+\n54\n");
+  DiagnosticBag bag;
+  const NcProgram program = read_essi(file, {}, bag);
+  std::size_t arcs = 0;
+  for (const Move& move : program.path.moves) {
+    if (move.kind != MoveKind::Arc) continue;
+    ++arcs;
+    const auto* const source =
+        dynamic_cast<const ElementOnDemand*>(move.carrier.base.source().get());
+    ASSERT_NE(source, nullptr);
+    EXPECT_FALSE(source->is_made());
+    EXPECT_EQ(abs(move.circle().radius()), 8);
+    EXPECT_TRUE(source->is_made());
+  }
+  EXPECT_EQ(arcs, 2U);
+}
+
 TEST(Essi, TheStarClosesAndItsTwelveEdgesAreEqual) {
   const SourceFile file("t.ess", "101+\n+230+400\n+230-400\n101-\n53\n101+6-600+150\n54\n");
   DiagnosticBag bag;
   NcProgram program = read_essi(file, {}, bag);
   ASSERT_EQ(program.path.moves.size(), 14U);
-  const auto contours = contours_of(program.path.moves);
+  program.path.contours = contours_of(program.path.moves);
+  const auto& contours = program.path.contours;
   ASSERT_EQ(contours.size(), 1U);
   EXPECT_TRUE(contours[0].closed);
   const Rational edge = Rational(15, 100) * Rational(15, 100) * (230 * 230 + 400 * 400);
-  for (const Move& move : contours[0].programmed) {
+  for (const Move& move : programmed_moves(program.path, contours[0])) {
     const ExactPoint a = move.from.exact();
     const ExactPoint b = move.to.exact();
     const Rational square = squared_length({b.x.a - a.x.a, b.y.a - a.y.a});

@@ -164,7 +164,8 @@ TEST(AgainstGeos, AreasLieBetweenThoseALittleNearerAndFarther) {
 /// Counter-clockwise, where the program runs clockwise.
 Chain sample_1p() {
   const auto made = compile_file(support::corpus("1P.bgt"), SourceSettings{});
-  return reversed(loop_of(made->result.path->contours.front()).value());
+  const Toolpath& path = *made->result.path;
+  return reversed(loop_of(path, path.contours.front()).value());
 }
 
 TEST(AgainstGeos, Sample1P) {

@@ -18,7 +18,7 @@ Move line(const RationalPoint& from, const RationalPoint& to) {
 Move arc(const RationalPoint& from, const RationalPoint& to, const Circle& circle) {
   Move move = line(from, to);
   move.kind = MoveKind::Arc;
-  move.carrier.base = std::make_shared<const Element>(circle);
+  move.carrier.base = ElementPtr(circle);
   return move;
 }
 

@@ -24,7 +24,8 @@ Toolpath corner_path() {
   contour.id = 1;
   contour.first = 1;
   contour.last = 3;
-  contour.programmed = {support::line(at(0, 0), at(10, 0)), support::line(at(10, 0), at(10, 10))};
+  contour.programmed =
+      std::vector{support::line(at(0, 0), at(10, 0)), support::line(at(10, 0), at(10, 10))};
   path.contours = {contour};
   return path;
 }

@@ -42,7 +42,7 @@ std::optional<Built> any_contour(CornerStyle style, const Rational& limit) {
     items.push_back({std::move(what), {0, 1, static_cast<std::uint32_t>(items.size() + 1)}});
   };
   add(OffsetItem{offset, true});
-  for (const Element& e : elements) add(AlongItem{std::make_shared<const Element>(e)});
+  for (const Element& e : elements) add(AlongItem{ElementPtr(e)});
   ContourOptions options;
   options.corner = style;
   options.corner_limit = limit;

@@ -36,13 +36,12 @@ Toolpath sheet_of(const Corners& corners) {
     const RationalPoint& from = corners[i];
     const RationalPoint& to = corners[(i + 1) % corners.size()];
     const auto line = line_through(known_point(from), known_point(to));
-    Move& move = contour.programmed.emplace_back();
+    Move& move = path.moves.emplace_back();
     move.from = Point(from);
     move.to = Point(to);
     move.carrier = carrier(std::get<Constructed<Line>>(line).value);
   }
   contour.closed = true;
-  path.moves = contour.programmed;
   contour.last = path.moves.size();
   return path;
 }

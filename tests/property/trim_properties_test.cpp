@@ -44,7 +44,7 @@ std::optional<BuiltContour> built(const Room& room) {
     const auto line =
         line_through(known_point(room.corners[i]), known_point(room.corners[(i + 1) % n]));
     if (std::holds_alternative<Impossible>(line)) return std::nullopt;
-    sides.push_back(std::make_shared<const Element>(std::get<Constructed<Line>>(line).value));
+    sides.push_back(ElementPtr(std::get<Constructed<Line>>(line).value));
   }
   const Vector half = Rational(1, 2) * (room.corners[0] + room.corners[1]);
   const Point begin(half);

@@ -30,7 +30,7 @@ namespace dgt::support {
 [[nodiscard]] inline Move arc(const RationalPoint& centre, const Rational& radius,
                               const Point& from, const Point& to) {
   Move move = straight(MoveKind::Arc, from, to);
-  move.carrier.base = std::make_shared<const Element>(Circle(centre, radius));
+  move.carrier.base = ElementPtr(Circle(centre, radius));
   return move;
 }
 [[nodiscard]] inline Move full_circle(const RationalPoint& centre, const Rational& radius,
