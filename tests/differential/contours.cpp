@@ -222,6 +222,54 @@ std::vector<Loop> offset(Dice& dice) {
   return loops;
 }
 
+/// Squares of a board, some of them: they meet at corners and along sides.
+std::vector<Loop> board(Dice& dice) {
+  std::vector<Loop> loops;
+  const int side = 2 + dice.below(4);
+  const auto corner = [&](int x, int y) {
+    return BulgeVertex{{Rational(side * x), Rational(side * y)}, 0};
+  };
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      if (!dice.one_in(2)) continue;
+      loops.push_back({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)});
+    }
+  }
+  if (loops.empty()) loops.push_back({corner(0, 0), corner(1, 0), corner(0, 1)});
+  return loops;
+}
+
+/// Sectors about the origin, as loops of their own or as one that comes back to it again and again.
+std::vector<Loop> fan(Dice& dice) {
+  static const std::array<std::array<int, 2>, 8> kCompass = {
+      {{4, 0}, {3, 3}, {0, 4}, {-3, 3}, {-4, 0}, {-3, -3}, {0, -4}, {3, -3}}};
+  const bool to_compass = dice.one_in(2);
+  const bool one_loop = dice.one_in(2);
+  std::vector<Loop> loops;
+  const int sectors = 2 + dice.below(3);
+  Loop all;
+  for (int i = 0; i < sectors; ++i) {
+    Loop sector = {{{0, 0}, 0}};
+    for (int k = 2 * i; k < 2 * i + 2; ++k) {
+      if (to_compass) {
+        const auto& at = kCompass[static_cast<std::size_t>(k)];
+        sector.push_back({{Rational(at[0]), Rational(at[1])}, 0});
+      } else {
+        const double angle = std::numbers::pi * (k + dice.within(0, 0.9)) / sectors;
+        const double r = dice.within(3, 7);
+        sector.push_back({{decimal(r * std::cos(angle)), decimal(r * std::sin(angle))}, 0});
+      }
+    }
+    if (dice.one_in(3)) sector[1].bulge = kQuarter;
+    if (one_loop)
+      all.insert(all.end(), sector.begin(), sector.end());
+    else
+      loops.push_back(std::move(sector));
+  }
+  if (one_loop) loops.push_back(std::move(all));
+  return loops;
+}
+
 }  // namespace
 
 std::vector<Chain> Case::chains() const {
@@ -265,6 +313,8 @@ Case make(Family family, std::uint32_t seed) {
     }
     case Family::Offset:
       return {offset(dice), distance(dice)};
+    case Family::Touching:
+      return {dice.one_in(2) ? board(dice) : fan(dice), distance(dice)};
   }
   return {};
 }

@@ -28,6 +28,7 @@ enum class Family : std::uint8_t {
   Islands,  ///< a star with holes, some nearer to each other than the tool is wide
   Minute,   ///< the same ten thousand times smaller
   Offset,   ///< an equidistant, rounded to doubles
+  Touching, ///< loops, and parts of one loop, that share vertices and edges
 };
 
 /// The same for the same numbers on every machine.

@@ -125,13 +125,16 @@ std::string name_of(const testing::TestParamInfo<Family>& family) {
       return "Minute";
     case Family::Offset:
       return "Offset";
+    case Family::Touching:
+      return "Touching";
   }
   return {};
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Differential,
                          testing::Values(Family::Star, Family::Grid, Family::Rounded, Family::Slots,
-                                         Family::Islands, Family::Minute, Family::Offset),
+                                         Family::Islands, Family::Minute, Family::Offset,
+                                         Family::Touching),
                          name_of);
 
 }  // namespace
