@@ -73,7 +73,7 @@ class OffsetEngine {
 
  private:
   [[nodiscard]] Strand<DoubleDouble> fine(std::uint32_t strand) const {
-    return source_->strand(curve_[strand].key, source_->decisive_distance<DoubleDouble>());
+    return source_->decisive_strand(curve_[strand].key);
   }
 
   // --- crossings --------------------------------------------------------------------------------
@@ -469,7 +469,8 @@ std::optional<OffsetRegion> by_production(const std::shared_ptr<const OffsetSour
   if (sgn(source->distance()) == 0 || source->edges() >= RawKey::kMaxEdges ||
       !source->suits_doubles())
     return std::nullopt;
-  return OffsetEngine(source, counts).run();
+  if (auto region = OffsetEngine(source, counts).run()) return region;
+  return OffsetEngine(std::make_shared<const OffsetSource>(source->parted()), counts).run();
 }
 
 template <class Loops>

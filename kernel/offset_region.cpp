@@ -21,6 +21,15 @@ std::optional<double> rounded(const DoubleDouble& value, double rad) {
   return std::nullopt;
 }
 
+/// Of two supports that meet at a vertex, the exact crossing lies no farther than this from where
+/// doubles have it; those that coincide but for what stand-ins are off cross anywhere. Unit: mm.
+constexpr double kSpread = 1e-6;
+
+/// Precondition: the square of a rational.
+Rational root_of_square(const Rational& square) {
+  return {sqrt(square.get_num()), sqrt(square.get_den())};
+}
+
 /// A vertex as the source has it: where two raw pieces cross, or where one begins.
 class Vertex {
  public:
@@ -41,9 +50,9 @@ class Vertex {
   [[nodiscard]] EnclosedVector<DoubleDouble> fine() const {
     constexpr double kEndless = 1e300;
     const Enclosed<DoubleDouble> d = source_->fine_distance();
-    const Strand<DoubleDouble> a = source_->strand(piece_.cut, d);
+    const Strand<DoubleDouble> a = source_->strand(piece_.cut, d, Vertices::Given);
     if (piece_.cut == piece_.by) return a.from;
-    const Crossings<DoubleDouble> c = cross(a, source_->strand(piece_.by, d));
+    const Crossings<DoubleDouble> c = cross(a, source_->strand(piece_.by, d, Vertices::Given));
     if (!c.decided || c.count == 0) return {0, 0, kEndless};
     const auto far = [&](int i) {
       const auto& at = c.found[static_cast<std::size_t>(i)].at;
@@ -62,12 +71,28 @@ class Vertex {
       const auto other = source_->exact_piece(piece_.by, d);
       if (!one || !other) continue;
       const auto places = cgal::support_crossings(*one, *other);
-      if (!places.empty())
-        return *std::ranges::min_element(places, {}, [&](const ExactPoint& p) {
-          return std::hypot(nearest_double(p.x) - piece_.x, nearest_double(p.y) - piece_.y);
-        });
+      if (!places.empty()) {
+        const auto nearest =
+            std::ranges::min_element(places, {}, [&](const auto& p) { return off(p); });
+        if (!source_->is_parted() || off(*nearest) <= kSpread) return *nearest;
+      }
+      // The two run along one line or circle: a vertex that only the parting made.
+      if (source_->is_parted()) return ExactPoint(nearest_on(*one));
     }
     DGT_CHECK(false);
+  }
+  [[nodiscard]] double off(const ExactPoint& p) const {
+    return std::hypot(nearest_double(p.x) - piece_.x, nearest_double(p.y) - piece_.y);
+  }
+  /// The place of the support of a raw piece that is nearest to where doubles have the vertex.
+  [[nodiscard]] RationalPoint nearest_on(const RawPiece& raw) const {
+    const RationalPoint at{Rational(piece_.x), Rational(piece_.y)};
+    if (raw.is_line) {
+      const Vector w = raw.to - raw.from;
+      return raw.from + (dot(at - raw.from, w) / squared_length(w)) * w;
+    }
+    const Vector out = at == raw.centre ? raw.from - raw.centre : at - raw.centre;
+    return raw.centre + root_of_square(raw.squared_radius) * direction_of(out).unit.vector();
   }
 
   std::shared_ptr<const OffsetSource> source_;
@@ -130,7 +155,9 @@ Circle OffsetRegion::circle_of(RawKey on) const {
   const ChainEdge edge = source_->exact_edge(on.edge());
   const bool round =
       on.part() > 0 &&
-      source_->corner_parts(on.edge(), source_->decisive_distance<DoubleDouble>()).empty();
+      source_
+          ->corner_parts(on.edge(), source_->decisive_distance<DoubleDouble>(), Vertices::Decisive)
+          .empty();
   if (round) return Circle(edge.to, distance);
   const ChainEdge& own = on.part() == 2 ? source_->exact_edge(source_->next(on.edge())) : edge;
   return Circle(own.centre(), abs(own.radius - distance));

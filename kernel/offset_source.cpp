@@ -155,6 +155,46 @@ void reverse(EdgeInDoubles& e, double x, double y) {
   e.counter_clockwise = !e.counter_clockwise;
 }
 
+/// What the parting does to an edge in doubles: its ends move by no more than kPartingShare of it.
+void widen(EdgeInDoubles& e) {
+  e.normal_rad += 4 * kPartingShare;
+  e.radius_rad += 4 * kPartingShare * std::fabs(e.radius);
+}
+
+/// The edge with its ends moved: all of it by the map z → (1 + η) z + b that moves them so, to the
+/// first order in |η| ≤ 2 kPartingShare. The second one and the rounding of η are below 2⁻¹⁰³.
+EnclosedEdge<DoubleDouble> displaced(EnclosedEdge<DoubleDouble> e, CoarsePoint from,
+                                     CoarsePoint to) {
+  constexpr double kNeglected = 0x1p-103;
+  const double wx = e.to.x.hi - e.from.x.hi;
+  const double wy = e.to.y.hi - e.from.y.hi;
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double square = wx * wx + wy * wy;
+  const Enclosed<DoubleDouble> grown{(dx * wx + dy * wy) / square, 0};
+  const Enclosed<DoubleDouble> turned{(dy * wx - dx * wy) / square, 0};
+  e.from = e.from + EnclosedVector<DoubleDouble>{from.x, from.y, 0};
+  e.to = e.to + EnclosedVector<DoubleDouble>{to.x, to.y, 0};
+  e.start = e.start + turned * turned_left(e.start);
+  e.start.rad += kNeglected;
+  e.end = e.end + turned * turned_left(e.end);
+  e.end.rad += kNeglected;
+  if (e.is_line) return e;
+  e.radius = e.radius + grown * e.radius;
+  e.radius.rad += kNeglected * e.radius.size();
+  return e;
+}
+
+/// A number in [−1, 1) that looks like chance, the same for the same count everywhere (the
+/// finalizer of splitmix64).
+double scattered(std::uint64_t count) {
+  count *= 0x9e3779b97f4a7c15U;
+  count = (count ^ (count >> 30U)) * 0xbf58476d1ce4e5b9U;
+  count = (count ^ (count >> 27U)) * 0x94d049bb133111ebU;
+  count ^= count >> 31U;
+  return static_cast<double>(static_cast<std::int64_t>(count) >> 11) * 0x1p-52;
+}
+
 RationalPoint exact(const BulgePoint& p) { return {Rational(p.x), Rational(p.y)}; }
 
 using Fine = DoubleDouble;
@@ -346,18 +386,43 @@ void OffsetSource::in_doubles(std::uint32_t index, EdgeInDoubles& e) const {
     const BulgePoint& q = points_[next(i)];
     set_between(points_[i], q, e);
     if (reversed_) reverse(e, q.x, q.y);
-    return;
+  } else {
+    const ChainEdge& exact = chain_edges_[i];
+    set_from(exact, e);
+    if (reversed_) reverse(e, exact.to.x.get_d(), exact.to.y.get_d());
   }
-  const ChainEdge& exact = chain_edges_[i];
-  set_from(exact, e);
-  if (reversed_) reverse(e, exact.to.x.get_d(), exact.to.y.get_d());
+  if (parted_) widen(e);
 }
 
-EnclosedEdge<DoubleDouble> OffsetSource::edge(std::uint32_t index) const {
+OffsetSource OffsetSource::parted() const {
+  OffsetSource source = *this;
+  source.parted_ = true;
+  return source;
+}
+
+CoarsePoint OffsetSource::beginning(std::uint32_t original) const {
+  if (!points_.empty()) return {points_[original].x, points_[original].y};
+  const RationalPoint& p = chain_edges_[original].from;
+  return {p.x.get_d(), p.y.get_d()};
+}
+
+CoarsePoint OffsetSource::parting(std::uint32_t original) const {
+  const CoarsePoint before = beginning(previous(original));
+  const CoarsePoint at = beginning(original);
+  const CoarsePoint behind = beginning(next(original));
+  const double shorter = std::min(std::hypot(at.x - before.x, at.y - before.y),
+                                  std::hypot(behind.x - at.x, behind.y - at.y));
+  const double most = 0.7 * std::min(kParting, kPartingShare * shorter);
+  return {most * scattered(2 * std::uint64_t{original}),
+          most * scattered(2 * std::uint64_t{original} + 1)};
+}
+
+EnclosedEdge<DoubleDouble> OffsetSource::edge(std::uint32_t index, Vertices vertices) const {
   using Real = DoubleDouble;
   const std::uint32_t i = original(index);
-  const EnclosedEdge<Real> e = points_.empty() ? enclosed<Real>(chain_edges_[i])
-                                               : edge_between<Real>(points_[i], points_[next(i)]);
+  EnclosedEdge<Real> e = points_.empty() ? enclosed<Real>(chain_edges_[i])
+                                         : edge_between<Real>(points_[i], points_[next(i)]);
+  if (parted_ && vertices == Vertices::Decisive) e = displaced(e, parting(i), parting(next(i)));
   return reversed_ ? reversed(e) : e;
 }
 
@@ -402,26 +467,28 @@ JointTurn OffsetSource::joint(std::uint32_t i) const {
   return joint(i, in_doubles(i), in_doubles(next(i)));
 }
 
-std::vector<Strand<DoubleDouble>> OffsetSource::corner_parts(
-    std::uint32_t i, const Enclosed<DoubleDouble>& d) const {
+std::vector<Strand<DoubleDouble>> OffsetSource::corner_parts(std::uint32_t i,
+                                                             const Enclosed<DoubleDouble>& d,
+                                                             Vertices vertices) const {
   if (options_.corner == OffsetCorner::Round || joint(i) != JointTurn::Right) return {};
-  const auto e = edge(i);
-  const auto behind = edge(next(i));
+  const auto e = edge(i, vertices);
+  const auto behind = edge(next(i), vertices);
   return options_.corner == OffsetCorner::Chamfer
              ? chamfer(e, behind, d)
              : sharp_corner(e, behind, d, options_.spike_limit);
 }
 
-Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDouble>& d) const {
-  const auto e = edge(key.edge());
+Strand<DoubleDouble> OffsetSource::strand(RawKey key, const Enclosed<DoubleDouble>& d,
+                                          Vertices vertices) const {
+  const auto e = edge(key.edge(), vertices);
   if (key.part() > 0) {
-    const auto parts = corner_parts(key.edge(), d);
+    const auto parts = corner_parts(key.edge(), d, vertices);
     if (!parts.empty()) return parts[key.part() - 1];
-    return corner(e, edge(next(key.edge())), joint(key.edge()), d);
+    return corner(e, edge(next(key.edge()), vertices), joint(key.edge()), d);
   }
   const std::uint32_t before = previous(key.edge());
   const bool tangent = joint(before) == JointTurn::Tangent;
-  Strand<DoubleDouble> s = moved(e, tangent ? edge(before).end : e.start, d);
+  Strand<DoubleDouble> s = moved(e, tangent ? edge(before, vertices).end : e.start, d);
   if (shrinks_to_chord(in_doubles(key.edge()))) s.is_line = true;
   return s;
 }

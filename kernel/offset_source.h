@@ -54,6 +54,15 @@ template <class Real>
   return coarse(a.mid) < 0 ? -a : a;
 }
 
+/// Vertices of a parted source are moved by no more than this, in mm: far below the distance at
+/// which contacts part, far above what double-doubles leave open.
+inline constexpr double kParting = 0x1p-74;
+/// And by no more than this part of the edges about them.
+inline constexpr double kPartingShare = 0x1p-56;
+
+/// Which vertices: as they came, or those that decisions are made for, which differ when parted.
+enum class Vertices : std::uint8_t { Given, Decisive };
+
 /// How the normal goes on behind an edge.
 enum class JointTurn : std::uint8_t { Tangent, Left, Right };
 
@@ -110,6 +119,15 @@ class OffsetSource {
                                           const OffsetOptions& options);
   [[nodiscard]] bool is_slit() const { return is_slit_; }
 
+  /// The same loops with each vertex moved a little, its own way, for decisions: what coincides at
+  /// every distance (corners about one vertex, edges along one line) no longer does. Loops stay
+  /// closed, and what is a contact away from them stays so. Results are those of the vertices as
+  /// they came.
+  [[nodiscard]] OffsetSource parted() const;
+  [[nodiscard]] bool is_parted() const { return parted_; }
+  /// What the parting adds to the size of a vertex, mm, as far as errors of doubles go.
+  [[nodiscard]] double slack() const { return parted_ ? 0x1p-20 : 0; }
+
   /// Whether doubles can follow the loops: chains may hold anything.
   [[nodiscard]] bool suits_doubles() const;
   /// About the area of a loop, mm², counter-clockwise positive; the sign is right wherever there is
@@ -123,7 +141,7 @@ class OffsetSource {
   }
   /// The same made in place. Copies of what has just been written wait for it.
   void in_doubles(std::uint32_t index, EdgeInDoubles& e) const;
-  [[nodiscard]] EnclosedEdge<DoubleDouble> edge(std::uint32_t index) const;
+  [[nodiscard]] EnclosedEdge<DoubleDouble> edge(std::uint32_t index, Vertices vertices) const;
   [[nodiscard]] ChainEdge exact_edge(std::uint32_t index) const;
   /// The loops as rational chains, in the sense in which they are offset.
   [[nodiscard]] std::vector<Chain> exact_loops() const;
@@ -142,10 +160,14 @@ class OffsetSource {
                                 const EdgeInDoubles& next) const;
   /// Strands of a corner that the options make other than one arc; none where it is one.
   [[nodiscard]] std::vector<Strand<DoubleDouble>> corner_parts(
-      std::uint32_t i, const Enclosed<DoubleDouble>& distance) const;
+      std::uint32_t i, const Enclosed<DoubleDouble>& distance, Vertices vertices) const;
   /// The strand of an edge, or of the corner behind it, moved by `distance`.
-  [[nodiscard]] Strand<DoubleDouble> strand(RawKey key,
-                                            const Enclosed<DoubleDouble>& distance) const;
+  [[nodiscard]] Strand<DoubleDouble> strand(RawKey key, const Enclosed<DoubleDouble>& distance,
+                                            Vertices vertices) const;
+  /// What decisions are made about.
+  [[nodiscard]] Strand<DoubleDouble> decisive_strand(RawKey key) const {
+    return strand(key, decisive_fine_, Vertices::Decisive);
+  }
   /// Whether the offset shrinks an arc to within kTangent of the distance about its centre. Its
   /// ends, shared with its neighbours, need not lie on what is left of its circle: it is its chord,
   /// then.
@@ -165,6 +187,9 @@ class OffsetSource {
   [[nodiscard]] JointTurn sharp_joint(std::uint32_t i) const;
   /// Whether the edges about the end of edge `i` may turn so far by the rounding of their vertices.
   [[nodiscard]] bool turns_by_rounding(std::uint32_t i, double turn) const;
+  /// How far the beginning of an edge, as it came, is moved.
+  [[nodiscard]] CoarsePoint parting(std::uint32_t original) const;
+  [[nodiscard]] CoarsePoint beginning(std::uint32_t original) const;
   /// Where the edge stands in the order in which it came.
   [[nodiscard]] std::uint32_t original(std::uint32_t edge) const;
 
@@ -178,6 +203,7 @@ class OffsetSource {
   Enclosed<DoubleDouble> fine_distance_;
   bool reversed_ = false;
   bool is_slit_ = false;
+  bool parted_ = false;
 };
 
 inline JointTurn OffsetSource::joint(std::uint32_t i, const EdgeInDoubles& e,

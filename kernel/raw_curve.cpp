@@ -35,6 +35,7 @@ RawCurve::RawCurve(const OffsetSource& source) {
 
 void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
   const Enclosed<double>& d = source.decisive_distance<double>();
+  const double slack = source.slack();
   const std::uint32_t first = source.first(loop);
   const std::uint32_t end = source.first(loop + 1);
   const std::size_t begin = strands_.size();
@@ -57,7 +58,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     EdgeInDoubles& next = edges[(i - first) % 2];  // for now, the one before
     const EdgeInDoubles& e = edges[(i - first + 1) % 2];
     RawStrand& s = strands_.emplace_back();
-    const double size = std::fabs(e.x) + std::fabs(e.y);
+    const double size = std::fabs(e.x) + std::fabs(e.y) + slack;
     if (joint == JointTurn::Tangent)
       begin_at(s, e.x, e.y, next.end_x, next.end_y, moved_rad(next, size, d));
     else
@@ -86,7 +87,7 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
     if (joint == JointTurn::Right && source.options().corner != OffsetCorner::Round &&
         lay_corner(source, i))
       continue;
-    const double to_size = std::fabs(next.x) + std::fabs(next.y);
+    const double to_size = std::fabs(next.x) + std::fabs(next.y) + slack;
     RawStrand& c = strands_.emplace_back();
     begin_at(c, next.x, next.y, e.end_x, e.end_y, moved_rad(e, to_size, d));
     c.key = RawKey(i, 1);
@@ -115,7 +116,8 @@ void RawCurve::lay(const OffsetSource& source, std::size_t loop) {
 }
 
 bool RawCurve::lay_corner(const OffsetSource& source, std::uint32_t i) {
-  const auto parts = source.corner_parts(i, source.decisive_distance<DoubleDouble>());
+  const auto parts =
+      source.corner_parts(i, source.decisive_distance<DoubleDouble>(), Vertices::Decisive);
   const auto rad = [](const auto& v) { return rounded_up(v.rad + 0x1p-52 * v.size()); };
   std::uint32_t part = 0;
   for (const Strand<DoubleDouble>& p : parts) {

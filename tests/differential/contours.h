@@ -21,14 +21,14 @@ struct Case {
 };
 
 enum class Family : std::uint8_t {
-  Star,     ///< random decimals about a centre, half of the edges arcs
-  Grid,     ///< walls and teeth on a whole-number grid, distances that just fill them
-  Rounded,  ///< right angles with fillets, tangent to the last bit or to a few decimals
-  Slots,    ///< round-ended slots as wide as the tool, or off by 10⁻⁹
-  Islands,  ///< a star with holes, some nearer to each other than the tool is wide
-  Minute,   ///< the same ten thousand times smaller
-  Offset,   ///< an equidistant, rounded to doubles
-  Touching, ///< loops, and parts of one loop, that share vertices and edges
+  Star,      ///< random decimals about a centre, half of the edges arcs
+  Grid,      ///< walls and teeth on a whole-number grid, distances that just fill them
+  Rounded,   ///< right angles with fillets, tangent to the last bit or to a few decimals
+  Slots,     ///< round-ended slots as wide as the tool, or off by 10⁻⁹
+  Islands,   ///< a star with holes, some nearer to each other than the tool is wide
+  Minute,    ///< the same ten thousand times smaller
+  Offset,    ///< an equidistant, rounded to doubles
+  Touching,  ///< loops, and parts of one loop, that share vertices and edges
 };
 
 /// The same for the same numbers on every machine.

@@ -39,9 +39,8 @@ struct Outcomes {
                std::uint32_t b) {
     std::vector<quick::Passing> quick;
     const bool decided = quick::cross(curve, a, b, quick);
-    const auto& distance = source.decisive_distance<DoubleDouble>();
     const Crossings<DoubleDouble> fine =
-        cross(source.strand(curve[a].key, distance), source.strand(curve[b].key, distance));
+        cross(source.decisive_strand(curve[a].key), source.decisive_strand(curve[b].key));
     const std::string kind = kind_of(curve[a], curve[b]);
     ++seen[kind][decided ? std::to_string(quick.size()) : "open"];
     if (!fine.decided) ++seen[kind]["open in double-doubles"];
