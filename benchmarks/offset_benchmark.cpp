@@ -71,6 +71,25 @@ BENCHMARK_CAPTURE(production, gear6000, gear(6000), "0.4", Part::Ordinary)
 BENCHMARK_CAPTURE(production, rand10000, ring(10000), "1", Part::Ordinary)
     ->Unit(benchmark::kMillisecond);
 
+/// n squares of a chessboard, whose corners touch, grown: raw curves coincide at every distance.
+void touching_loops(benchmark::State& state) {
+  const auto side = static_cast<int>(state.range(0));
+  std::vector<BulgePolyline> loops;
+  for (int x = 0; x < side; ++x) {
+    for (int y = x % 2; y < side; y += 2) {
+      const double a = 4 * x;
+      const double b = 4 * y;
+      loops.push_back({{a, b, 0}, {a + 4, b, 0}, {a + 4, b + 4, 0}, {a, b + 4, 0}});
+    }
+  }
+  OffsetCounts counts;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        production_offset(loops, parse_decimal("-0.3").value(), {}, &counts).loops());
+  report(state, 4 * loops.size(), counts);
+}
+BENCHMARK(touching_loops)->Arg(10)->Arg(32)->Arg(100);
+
 BENCHMARK_CAPTURE(reference, rand1000, ring(1000), "1")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reference, gear60, gear(60), "0.4")->Unit(benchmark::kMillisecond);
 

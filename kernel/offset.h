@@ -144,8 +144,9 @@ class OffsetRegion {
 
 /// The production engine: winding numbers carried along the raw curve, crossings found through a
 /// box tree in contour order, decisions in doubles with a proved bound, then in double-doubles.
-/// What those leave open (raw pieces that coincide at any distance, as where loops touch) sends the
-/// whole input to the reference engine. Same loops as reference_offset.
+/// Raw pieces that coincide at every distance, as where loops touch, are decided by vertices moved
+/// a little. What is open even so sends the whole input to the reference engine. Same loops as
+/// reference_offset.
 [[nodiscard]] OffsetRegion production_offset(const std::vector<BulgePolyline>& loops,
                                              const Rational& distance,
                                              const OffsetOptions& options = {},

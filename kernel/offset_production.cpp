@@ -11,7 +11,10 @@
 //
 // Decisions are made for a distance 2⁻⁷⁰ mm beyond the one asked for. That parts all that is in
 // contact by design (a slot exactly as wide as the tool), and double-doubles, good to some 2⁻⁹⁰ mm,
-// can tell. What they cannot tell coincides at every distance, and the reference engine takes it.
+// can tell. What they cannot tell coincides at every distance (corners about one vertex, edges
+// along one line): then all is decided once more for vertices each moved its own way by 2⁻⁷⁴ mm,
+// which parts that too and keeps a contact a contact. What is open still, the reference engine
+// takes.
 //
 // Joints whose edges' normals agree within kTangent are tangent: one point, no corner. The raw
 // curve then differs from the exact one by d·kTangent²/2 across and d·kTangent along, a sliver in
@@ -33,6 +36,10 @@ namespace {
 using quick::Passing;
 /// Each passing is two events, one on each strand: number 2i + side.
 using Event = std::uint32_t;
+
+/// How many times the angle at which a strand passes a cusp is larger than what all of them turn by
+/// on the way from there, so that they count as straight.
+constexpr double kStraightOn = 16;
 
 /// An event on its strand: its position and how far that may be off.
 struct Placed {
@@ -204,7 +211,8 @@ class OffsetEngine {
 
   /// Two strands that follow each other, with a cusp between, and a third that crosses both at a
   /// distance h from it: along the third, they lie (κ₁ − κ₂) h²/2 apart, which may be far too
-  /// little to measure. Their curvatures tell the order all the same: +1 when `e` comes before `f`,
+  /// little to measure. Where all three run straight on for that h, their curvatures tell the order
+  /// all the same: +1 when `e` comes before `f`,
   /// −1 when behind, 0 when this is not the case in hand.
   [[nodiscard]] int order_at_cusp(Event e, Event f) const {
     const std::uint32_t one = strand(twin(e));
@@ -219,9 +227,23 @@ class OffsetEngine {
     const auto bend = curvature(out);
     const auto bend_back = curvature(into);
     if (!bend || !bend_back) return 0;
+    const Strand<DoubleDouble> third = fine(strand(e));
+    const auto third_bend = curvature(third);
+    if (!third_bend) return 0;
+    const auto through = heading(third, out.from);
+    const Enclosed<DoubleDouble> across = cross(ahead, through);
+    // All three run straight on as far as the third passes from the cusp.
+    const double sine = across.size() / std::sqrt(length_squared(ahead) * length_squared(through));
+    const Passing& m = passing(e);
+    const double h =
+        std::hypot(m.x - out.from.x.hi, m.y - out.from.y.hi) + 0x1p-48 * out.from.size();
+    const double turned = h * (bend->size() + bend_back->size() + third_bend->size());
+    if (!(sine > kStraightOn * turned + kTangent)) return 0;
     const int above = (-*bend_back - *bend).sign();  // +1: the first lies to the left of the second
-    const int across = cross(ahead, heading(fine(strand(e)), out.from)).sign();
-    return -above * across;
+    return -above * across.sign();
+  }
+  static double length_squared(const EnclosedVector<DoubleDouble>& v) {
+    return v.x.hi * v.x.hi + v.y.hi * v.y.hi;
   }
 
   /// Along the strand, at a place on it.

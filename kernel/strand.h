@@ -50,27 +50,40 @@ Crossings<Real> undecided() {
   return result;
 }
 
+/// Of two enclosures of one number.
+template <class Real>
+const Enclosed<Real>& finer(const Enclosed<Real>& a, const Enclosed<Real>& b) {
+  return a.rad < b.rad ? a : b;
+}
+
 /// A place on an arc's circle, against its chord: that parts the circle, and the arc is what lies
 /// to the right of it when it turns to the left.
 template <class Real>
 class OnCircle {
  public:
-  OnCircle(const Strand<Real>& arc, const EnclosedVector<Real>& at)
-      : chord_(arc.to - arc.from), out_(at - arc.from) {
-    const int side = cross(chord_, out_).sign();
+  /// The place base + k u, seen from where the arc begins. Where two curves all but touch, k is
+  /// known far worse than the rest, and matters little where u is square to what is asked: then it
+  /// is multiplied last. Elsewhere the place itself is the smaller number.
+  OnCircle(const Strand<Real>& arc, const EnclosedVector<Real>& base, const Enclosed<Real>& k,
+           const EnclosedVector<Real>& u) {
+    const EnclosedVector<Real> chord = arc.to - arc.from;
+    const EnclosedVector<Real> out = base + k * u;
+    const int side = finer(cross(chord, base) + k * cross(chord, u), cross(chord, out)).sign();
     on_arc_ = arc.counter_clockwise ? -side : side;
+    position_ = finer(dot(chord, base) + k * dot(chord, u), dot(chord, out));
   }
   /// +1 when it surely lies on the arc, −1 when surely not.
   [[nodiscard]] int on_arc() const { return on_arc_; }
-  [[nodiscard]] Enclosed<Real> position() const { return dot(chord_, out_); }
+  [[nodiscard]] const Enclosed<Real>& position() const { return position_; }
 
  private:
-  EnclosedVector<Real> chord_, out_;
+  Enclosed<Real> position_;
   int on_arc_;
 };
 template <class Real>
 int on_arc(const Strand<Real>& arc, const EnclosedVector<Real>& at) {
-  return OnCircle<Real>(arc, at).on_arc();
+  const int side = cross(arc.to - arc.from, at - arc.from).sign();
+  return arc.counter_clockwise ? -side : side;
 }
 
 template <class Real>
@@ -130,12 +143,12 @@ Crossings<Real> of_line_and_arc(const Strand<Real>& line, const Strand<Real>& ar
     const Enclosed<Real> t = way < 0 ? foot - half : foot + half;
     const int on_line = within(t);
     if (on_line < 0) continue;
-    const EnclosedVector<Real> at = line.from + (t / square) * u;
-    const OnCircle<Real> place(arc, at);
+    const Enclosed<Real> k = t / square;
+    const OnCircle<Real> place(arc, line.from - arc.from, k, u);
     if (place.on_arc() < 0) continue;
     if (place.on_arc() == 0 || on_line == 0) return undecided<Real>();
     // Where the line leaves the circle, a counter-clockwise arc passes from its right to its left.
-    result.add({at, {t, place.position()}, arc.counter_clockwise ? way : -way});
+    result.add({line.from + k * u, {t, place.position()}, arc.counter_clockwise ? way : -way});
   }
   return result;
 }
@@ -171,17 +184,18 @@ Crossings<Real> of_arcs(const Strand<Real>& a, const Strand<Real>& b) {
     const EnclosedVector<Real> foot = (half_inverse * (square + difference * sum)) * v;
     const Enclosed<Real> reach = outside * inside;
     if (nearer > 0 && farther > 0 && reach.sign() > 0) {
-      const EnclosedVector<Real> off = (root(reach) * half_inverse) * left;
+      const Enclosed<Real> off = root(reach) * half_inverse;
+      const EnclosedVector<Real> middle = a.centre + foot;
       Crossings<Real> result;
       const int senses = a.counter_clockwise == b.counter_clockwise ? 1 : -1;
       for (const int way : {-1, 1}) {
-        const EnclosedVector<Real> at = a.centre + (way < 0 ? foot - off : foot + off);
-        const OnCircle<Real> on_a(a, at);
+        const Enclosed<Real> k = way < 0 ? -off : off;
+        const OnCircle<Real> on_a(a, middle - a.from, k, left);
         if (on_a.on_arc() < 0) continue;
-        const OnCircle<Real> on_b(b, at);
+        const OnCircle<Real> on_b(b, middle - b.from, k, left);
         if (on_b.on_arc() < 0) continue;
         if (on_a.on_arc() == 0 || on_b.on_arc() == 0) return undecided<Real>();
-        result.add({at, {on_a.position(), on_b.position()}, way * senses});
+        result.add({middle + k * left, {on_a.position(), on_b.position()}, way * senses});
       }
       return result;
     }

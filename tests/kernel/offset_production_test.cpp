@@ -85,6 +85,42 @@ TEST(ProductionOffset, IslandsGiveTheLoopsOfTheReference) {
     EXPECT_TRUE(same_loops(loops, *parse_decimal(d))) << d;
 }
 
+/// Squares of a chessboard: each corner inside is one of two loops.
+std::vector<Chain> chessboard(int side) {
+  std::vector<Chain> loops;
+  for (int x = 0; x < side; ++x) {
+    for (int y = x % 2; y < side; y += 2) {
+      std::vector<BulgeVertex> square;
+      for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+        square.push_back({{Rational(4 * (x + dx)), Rational(4 * (y + dy))}, 0});
+      loops.push_back(chain_of(square, true).value());
+    }
+  }
+  return loops;
+}
+
+TEST(ProductionOffset, LoopsThatTouchInVerticesAreNoMatterForTheReference) {
+  std::size_t fine = 0;
+  for (const OffsetCorner corner :
+       {OffsetCorner::Round, OffsetCorner::Sharp, OffsetCorner::Chamfer}) {
+    for (const char* d : {"-2", "-1", "-0.3", "0.5", "2"}) {
+      SCOPED_TRACE(d);
+      OffsetCounts counts;
+      const auto fast =
+          measured(production_offset(chessboard(5), *parse_decimal(d), {corner}, &counts));
+      EXPECT_EQ(counts.exact, 0);
+      fine += counts.fine;
+      const auto slow = measured(reference_offset(chessboard(5), *parse_decimal(d), {corner}));
+      ASSERT_EQ(fast.size(), slow.size());
+      for (std::size_t i = 0; i < fast.size(); ++i) {
+        EXPECT_NEAR(fast[i].area, slow[i].area, 1e-12 * (1 + std::fabs(slow[i].area)));
+        EXPECT_EQ(fast[i].pieces, slow[i].pieces);
+      }
+    }
+  }
+  EXPECT_GT(fine, 0);
+}
+
 TEST(ProductionOffset, PointsAreThoseOfTheReferenceToTheLastBit) {
   const auto ring = families::random_ring(60, 11);
   for (const OffsetLoop& loop : production_offset(ring, 1)) {
