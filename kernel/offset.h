@@ -101,6 +101,7 @@ struct OffsetCounts {
   std::size_t decisions = 0;  ///< pairs, orders and rays that doubles were asked about
   std::size_t fine = 0;       ///< of these, left to double-doubles
   std::size_t exact = 0;      ///< of these, left to the reference engine: then all of them are
+  std::size_t torn = 0;       ///< loops that did not close: no decisions lead there but wrong ones
 };
 
 class OffsetSource;

@@ -73,8 +73,8 @@ class OffsetEngine {
   /// Nothing when double-doubles leave something open.
   std::optional<OffsetRegion> run() {
     if (!find_crossings() || !sort_events() || !carry_numbers()) return std::nullopt;
-    OffsetRegion region = trace();
-    region.drop(bounding_nothing(region, *source_));
+    std::optional<OffsetRegion> region = trace();
+    if (region) region->drop(bounding_nothing(*region, *source_));
     return region;
   }
 
@@ -412,7 +412,8 @@ class OffsetEngine {
 
   // --- the result -------------------------------------------------------------------------------
 
-  OffsetRegion trace() {
+  /// Nothing when a loop does not close: the reference makes good what never should happen.
+  std::optional<OffsetRegion> trace() {
     const int wanted = curve_.region_number();
     OffsetRegion region;
     region.source_ = source_;
@@ -422,7 +423,10 @@ class OffsetEngine {
       if (used[first] || stretches_[first].left != wanted) continue;
       std::uint32_t begin = first;
       do {
-        DGT_CHECK(!used[begin] && stretches_[begin].left == wanted);
+        if (used[begin] || stretches_[begin].left != wanted) {
+          ++counts_.torn;
+          return std::nullopt;
+        }
         used[begin] = true;
         const std::uint32_t end = stretches_[begin].end;
         add_stretch(region, begin, end);

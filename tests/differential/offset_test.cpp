@@ -58,6 +58,7 @@ std::optional<std::string> difference(const Case& c, const OffsetOptions& option
   const auto fast = corners(production_offset(c.chains(), c.distance, options, &counts));
   const auto slow = corners(reference_offset(c.chains(), c.distance, options));
   by_reference = counts.exact > 0;
+  EXPECT_EQ(counts.torn, 0) << c.to_text();
   const bool same = std::ranges::equal(fast, slow, [](const Corners& a, const Corners& b) {
     return std::ranges::equal(a, b, near);
   });
