@@ -97,6 +97,37 @@ TEST(QuickCrossing, DoublesHoldForMovedVerticesToo) {
   EXPECT_EQ(outcomes.open_in_double_doubles(), 0);
 }
 
+/// Lines are moved square to themselves and arcs about their own centres: as nearly as stand-ins of
+/// normals do, far below what vertices are moved by.
+TEST(QuickCrossing, EdgesMoveWithTheirVertices) {
+  constexpr double kLastBits = 0x1p-92;
+  int lines = 0;
+  int arcs = 0;
+  for (const Family family : kMade) {
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+      const OffsetSource source = source_of(family, seed).parted();
+      const RawCurve curve(source);
+      for (std::uint32_t i = 0; i + 1 < curve.size(); ++i) {
+        // An edge between two corners: tangent joints shift its ends along it.
+        const RawKey key = curve[i].key;
+        if (curve[i].first || curve[i].last || key.part() != 0) continue;
+        if (curve[i - 1].key.part() == 0 || curve[i + 1].key.part() == 0) continue;
+        const Strand<DoubleDouble> edge = source.decisive_strand(key);
+        const Strand<DoubleDouble> corner = source.decisive_strand(curve[i + 1].key);
+        const auto way = corner.from - corner.centre;
+        const auto off = edge.is_line ? dot(way, edge.to - edge.from)
+                                      : dot(edge.to - edge.centre, edge.to - edge.centre) -
+                                            edge.radius * edge.radius;
+        const double size = 1 + edge.from.size() + edge.to.size() + edge.centre.size();
+        EXPECT_LT(off.size() + off.rad, kLastBits * size * size);
+        ++(edge.is_line ? lines : arcs);
+      }
+    }
+  }
+  EXPECT_GT(lines, 1000);
+  EXPECT_GT(arcs, 100);
+}
+
 TEST(QuickCrossing, FamiliesMadeToBeDegenerateAreDecidedByDoubleDoubles) {
   for (const Family family : {Family::Grid, Family::Slots}) {
     Outcomes outcomes;
