@@ -261,7 +261,7 @@ constexpr std::array kRules{
 };
 
 constexpr SettingKey kBase{"base", "the name of a dialect"};
-constexpr SettingKey kAnyCode{"codes.translate.*", kWord};
+constexpr SettingKey kAnyCode{"codes.translate.*", kWords};
 
 const std::vector<SettingKey>& keys() {
   static const std::vector<SettingKey> all = [] {
@@ -323,7 +323,7 @@ class DialectReader {
   void read_rest(const Entry& entry) {
     if (entry.key.starts_with(kTranslate)) {
       CodeWord word{entry.key.substr(kTranslate.size()), ""};
-      if (!read_text(word.words, entry)) return bad_value(kAnyCode, entry);
+      if (!read_lines(word.words, entry)) return bad_value(kAnyCode, entry);
       std::erase_if(file_.dialect.codes, [&](const CodeWord& w) { return w.code == word.code; });
       return file_.dialect.codes.push_back(std::move(word));
     }

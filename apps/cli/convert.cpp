@@ -79,7 +79,7 @@ void add_convert(CLI::App& app, Job& job) {
   const auto options = std::make_shared<ConvertOptions>();
   CLI::App* verb = add_verb(
       app, job, "convert", "From any language to any dialect",
-      "Reads a program in DGT, ESSI, G-code, a DXF drawing or polylines and writes it for a "
+      "Reads a program in DGT, ESSI, G-code, 3B, a DXF drawing or polylines and writes it for a "
       "control, or as DGT source to go on with, whole or not at all. Subprograms are written out, "
       "kerf that the program asks for is applied. What was written here comes back byte for byte "
       "when it is read and written again.\n\nExamples:\n"

@@ -93,13 +93,14 @@ void add_reading_options(CLI::App& verb, SourceOptions& options) {
   static const std::map<std::string, InputLanguage> kInputs = {
       {"dgt", InputLanguage::Dgt},          {"essi", InputLanguage::Essi},
       {"essi-iso", InputLanguage::EssiIso}, {"gcode", InputLanguage::Gcode},
-      {"dxf", InputLanguage::Dxf},          {"poly", InputLanguage::Poly}};
+      {"3b", InputLanguage::ThreeB},        {"dxf", InputLanguage::Dxf},
+      {"poly", InputLanguage::Poly}};
   verb.add_option(
           "--from", options.from,
           "Language of the input (default: by the extension; .bgt and .dgt are DGT, .ess and .essi "
-          "ESSI, .nc, .cnc, .gcode, .ngc and .tap G-code, .dxf drawings, .poly polylines; standard "
-          "input is DGT)")
-      ->option_text("dgt|essi|essi-iso|gcode|dxf|poly")
+          "ESSI, .nc, .cnc, .gcode, .ngc and .tap G-code, .3b 3B, .dxf drawings, .poly polylines; "
+          "standard input is DGT)")
+      ->option_text("dgt|essi|essi-iso|gcode|3b|dxf|poly")
       ->transform(CLI::CheckedTransformer(kInputs).description(""))
       ->group("Source");
   add_encoding_option(verb, options);

@@ -22,13 +22,14 @@ struct VerifyOptions {
 /// Whose program it will be, if nobody says.
 std::string usual_dialect(const std::string& file, InputLanguage language) {
   if (language == InputLanguage::Essi || language == InputLanguage::EssiIso) return "essi";
+  if (language == InputLanguage::ThreeB) return "3b";
   const std::string extension = std::filesystem::path(file).extension();
   return CLI::detail::to_lower(extension) == ".cnc" ? "plasmatic" : "linuxcnc";
 }
 
 bool is_nc(InputLanguage language) {
   return language == InputLanguage::Essi || language == InputLanguage::EssiIso ||
-         language == InputLanguage::Gcode;
+         language == InputLanguage::Gcode || language == InputLanguage::ThreeB;
 }
 
 Step<Settings> settings_of(const VerifyOptions& options, const Console& console) {
@@ -97,8 +98,8 @@ void add_verify(CLI::App& app, Job& job) {
       ->required()
       ->option_text("FILE");
   verb->add_option("--post", options->post,
-                   "The dialect whose unit and limits hold (default: essi for ESSI, plasmatic for "
-                   ".cnc, linuxcnc for other G-code)")
+                   "The dialect whose unit and limits hold (default: essi for ESSI, 3b for 3B, "
+                   "plasmatic for .cnc, linuxcnc for other G-code)")
       ->option_text("NAME")
       ->group("Machine");
   verb->add_option("--tolerance", options->tolerance,

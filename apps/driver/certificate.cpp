@@ -108,16 +108,21 @@ const char* sentence(Kind kind, bool russian) {
       return russian ? "инструмент подрезает контур уже на точной траектории"
                      : "the tool cuts into its contour on the exact path already";
     case Kind::RadiusMismatch:
+      return russian ? "радиусы концов дуги расходятся на {2} мм; станок принимает до {3}"
+                     : "the two radii of the arc differ by {2} mm; the control takes up to {3}";
+    case Kind::EndOpen:
       break;
   }
-  return russian ? "радиусы концов дуги расходятся на {2} мм; станок принимает до {3}"
-                 : "the two radii of the arc differ by {2} mm; the control takes up to {3}";
+  return russian
+             ? "разные станки закончат этот кадр в точках до {2} мм друг от друга; допустимо {3}"
+             : "controls end this block up to {2} mm apart; {3} is allowed";
 }
 
 std::string allowed(const Certificate& proof, Kind kind) {
   const VerifyLimits& limits = proof.limits;
   if (kind == Kind::Deviates) return to_short_decimal(limits.deviation);
   if (kind == Kind::RadiusMismatch) return to_short_decimal(limits.radius_mismatch);
+  if (kind == Kind::EndOpen) return to_short_decimal(limits.unit);
   return to_short_decimal(Rational(limits.unit / 2));
 }
 

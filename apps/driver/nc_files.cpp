@@ -9,8 +9,8 @@ const char* extension_of(const Dialect& dialect) {
   return dialect.name == "plasmatic" ? ".cnc" : ".ngc";
 }
 
-std::optional<InputLanguage> language_of(const Dialect& dialect) {
-  if (dialect.form == Form::ThreeB) return std::nullopt;
+InputLanguage language_of(const Dialect& dialect) {
+  if (dialect.form == Form::ThreeB) return InputLanguage::ThreeB;
   if (dialect.form == Form::Gcode) return InputLanguage::Gcode;
   return dialect.arc_form == ArcForm::Centre ? InputLanguage::EssiIso : InputLanguage::Essi;
 }
@@ -18,7 +18,7 @@ std::optional<InputLanguage> language_of(const Dialect& dialect) {
 SourceSettings as_its_control(const Settings& settings) {
   const Dialect& dialect = settings.dialect;
   SourceSettings source = settings.source;
-  source.essi.unit = dialect.unit;
+  source.essi.unit = source.three_b.unit = dialect.unit;
   if (language_of(dialect) == InputLanguage::EssiIso) {
     source.essi.dialect = EssiDialect::Iso;
     if (!dialect.plus_is_ccw) source.essi.iso_plus = RotationSense::Clockwise;

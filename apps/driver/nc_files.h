@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "apps/driver/settings.h"
 
 /// NC programs as files: what they are called, and how their own control reads them.
@@ -11,8 +9,8 @@ namespace dgt {
 /// What a control's programs are called by: `.ess`, `.3b`, `.cnc`, `.ngc`.
 [[nodiscard]] const char* extension_of(const Dialect& dialect);
 
-/// In which language the programs of a dialect are read back; nothing: they cannot be.
-[[nodiscard]] std::optional<InputLanguage> language_of(const Dialect& dialect);
+/// In which language the programs of a dialect are read back.
+[[nodiscard]] InputLanguage language_of(const Dialect& dialect);
 
 /// The settings with which a program of `settings.dialect` is read: it counts in the units of its
 /// control. The language stays as it is set.

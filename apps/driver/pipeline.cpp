@@ -74,12 +74,17 @@ void compile_gcode(Compilation& made, const SourceSettings& settings) {
   finish_nc(made, read_gcode(*made.file, settings.gcode, made.bag), settings.evaluate);
 }
 
+void compile_three_b(Compilation& made, const SourceSettings& settings) {
+  finish_nc(made, read_three_b(*made.file, settings.three_b, made.bag), settings.evaluate);
+}
+
 }  // namespace
 
 std::optional<InputLanguage> language_of(const std::string& name) {
   const std::string extension = lower_extension(name);
   if (name == kStream || extension == ".bgt" || extension == ".dgt") return InputLanguage::Dgt;
   if (extension == ".dxf") return InputLanguage::Dxf;
+  if (extension == ".3b") return InputLanguage::ThreeB;
   if (extension == ".poly") return InputLanguage::Poly;
   if (extension == ".ess" || extension == ".essi") return InputLanguage::Essi;
   static constexpr std::array<std::string_view, 5> kGcode = {".nc", ".cnc", ".gcode", ".ngc",
@@ -110,6 +115,9 @@ Compilation compile_source(const std::string& name, std::shared_ptr<const Source
       break;
     case InputLanguage::Gcode:
       compile_gcode(made, settings);
+      break;
+    case InputLanguage::ThreeB:
+      compile_three_b(made, settings);
       break;
     case InputLanguage::Dxf:
       compile_dxf(made, settings);

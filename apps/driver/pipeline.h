@@ -12,15 +12,16 @@
 #include "lang/dxf/reader.h"
 #include "lang/essi/reader.h"
 #include "lang/gcode/reader.h"
+#include "lang/three_b/reader.h"
 
 /// From the name of a file to its tool path, without a word to the person: what the command, the
 /// tests and the fuzzers share.
 namespace dgt {
 
-enum class InputLanguage : std::uint8_t { Dgt, Essi, EssiIso, Gcode, Dxf, Poly };
+enum class InputLanguage : std::uint8_t { Dgt, Essi, EssiIso, Gcode, ThreeB, Dxf, Poly };
 
 /// By the extension, in either case: `.bgt` and `.dgt`; `.ess` and `.essi`; `.nc`, `.cnc`,
-/// `.gcode`, `.ngc` and `.tap`; `.dxf`; `.poly`. Standard input is DGT.
+/// `.gcode`, `.ngc` and `.tap`; `.3b`; `.dxf`; `.poly`. Standard input is DGT.
 [[nodiscard]] std::optional<InputLanguage> language_of(const std::string& name);
 
 struct SourceSettings {
@@ -28,6 +29,7 @@ struct SourceSettings {
   EvaluateOptions evaluate;
   EssiOptions essi;
   GcodeOptions gcode;
+  ThreeBOptions three_b;
   DxfOptions dxf;
   std::optional<Encoding> encoding;     ///< of the program; `evaluate` has that of macros
   std::vector<std::string> macro_path;  ///< folders, after the program's own and its `mac`

@@ -98,6 +98,7 @@ template <class Change>
 void change_nc(Settings& settings, Change&& change) {
   change(settings.source.essi.nc);
   change(settings.source.gcode.nc);
+  change(settings.source.three_b.nc);
 }
 
 std::optional<Rational> decimal_between(std::string_view text, const Rational& least,
@@ -146,6 +147,25 @@ bool set_scale_unit(Settings& settings, std::string_view text) {
   if (text == "percent") return unit = Rational(1, 100), true;
   if (text == "permille") return unit = Rational(1, 1000), true;
   return false;
+}
+
+bool set_three_b_unit(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, Rational(1, 1'000'000), 100);
+  if (value) settings.source.three_b.unit = *value;
+  return value.has_value();
+}
+
+bool set_pause(Settings& settings, std::string_view text) {
+  ThreeBPause& pause = settings.source.three_b.pause;
+  if (text == "rapid") return pause = ThreeBPause::Rapid, true;
+  if (text == "stop") return pause = ThreeBPause::Stop, true;
+  return false;
+}
+
+bool set_end_tolerance(Settings& settings, std::string_view text) {
+  const auto value = decimal_between(text, 0, 10);
+  if (value) settings.source.three_b.end_tolerance = *value;
+  return value.has_value();
 }
 
 bool set_positions(Settings& settings, std::string_view text) {
@@ -256,6 +276,9 @@ constexpr std::array kRules{
          }},
     Rule{{"gcode.positions", "absolute|incremental"}, set_positions},
     Rule{{"gcode.dwell_unit", "s|ms"}, set_read_dwell},
+    Rule{{"3b.unit", "0.000001…100 mm"}, set_three_b_unit},
+    Rule{{"3b.pause", "rapid|stop"}, set_pause},
+    Rule{{"3b.end_tolerance", "0…10 mm"}, set_end_tolerance},
     Rule{{"dxf.layers", "NAME,NAME"}, set_layers},
     Rule{{"dxf.unit", "drawing|mm|inch"}, set_dxf_unit},
     Rule{{"dxf.join_tolerance", "0…10 mm"}, set_dxf_join_tolerance},

@@ -69,6 +69,7 @@ class Verifier {
     check_contours();
     take_gouges();
     check_radii();
+    check_ends();
     const auto by_line = [](const VerifyFault& a, const VerifyFault& b) {
       return a.first_line < b.first_line;
     };
@@ -233,6 +234,16 @@ class Verifier {
     }
   }
 
+  /// That the program ends its blocks where it was read to end them, whatever control runs it.
+  void check_ends() {
+    std::size_t told = 0;
+    for (const auto& [block, distance] : program_.arcs.apart) {
+      const std::uint32_t line = block.file->line_at(block.begin);
+      if (told++ == kMaxMatchFaults) break;
+      add(Kind::EndOpen, exact_.moves.size(), line, line, distance);
+    }
+  }
+
   /// Where an arc begins inside a divided one, the stop before may be to blame as well: nothing
   /// else says where it should be.
   std::uint32_t line_before(std::uint32_t line) const {
@@ -285,9 +296,11 @@ const char* name_of(VerifyFault::Kind kind) {
     case Kind::Gouge:
       return "gouge";
     case Kind::RadiusMismatch:
+      return "radius-mismatch";
+    case Kind::EndOpen:
       break;
   }
-  return "radius-mismatch";
+  return "end-open";
 }
 
 Certificate verify(const Compilation& program, const Compilation& against,

@@ -39,6 +39,7 @@ struct VerifyFault {
     Open,            ///< a closed contour is not closed: dx, dy between its ends
     Gouge,           ///< the exact tool cuts into its own contour
     RadiusMismatch,  ///< measure: the difference of the radii, mm
+    EndOpen,         ///< measure: how far apart controls end a block that counts steps, mm
   };
   Kind kind;
   std::uint32_t first_line = 0;

@@ -52,6 +52,8 @@ struct ArcSummary {
     double difference = 0;  ///< mm
   };
   std::vector<Mismatch> mismatches;
+  /// Blocks of 3B, lines too, that controls end so far apart, in the order in which they were read.
+  std::vector<Mismatch> apart;
 };
 
 /// A program as read, before its kerf is applied.

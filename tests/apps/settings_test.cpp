@@ -235,7 +235,7 @@ std::vector<std::pair<std::string, std::string>> documented() {
       support::read_text(std::filesystem::path(DGT_SOURCE_DIR) / "post" / "README.md");
   const std::size_t begin = text.find("### Settings");
   const std::string section = text.substr(begin, text.find("\n## ", begin) - begin);
-  static const std::regex kRow("\n\\| `([a-z_.]+)` \\| ((?:[^|\\\\]|\\\\.)*) \\|");
+  static const std::regex kRow("\n\\| `([a-z0-9_.]+)` \\| ((?:[^|\\\\]|\\\\.)*) \\|");
   static const std::regex kEscaped("\\\\(.)");
   std::vector<std::pair<std::string, std::string>> rows;
   for (std::sregex_iterator row(section.begin(), section.end(), kRow), end; row != end; ++row)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs as they come from a hand on a bad day. Each slips/NAME.bgt is compiled, each .ess, .nc
-// and .cnc read, and everything a person sees of it stands in NAME.en.txt and NAME.ru.txt, to be
-// read line by line whenever it changes: DGT_UPDATE_GOLDEN=1 writes them anew.
+// Programs as they come from a hand on a bad day. Each slips/NAME.bgt is compiled, each .ess, .nc,
+// .cnc and .3b read, and everything a person sees of it stands in NAME.en.txt and NAME.ru.txt, to
+// be read line by line whenever it changes: DGT_UPDATE_GOLDEN=1 writes them anew.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "lang/gcode/reader.h"
 #include "lang/nc/kerf.h"
 #include "lang/text/render.h"
+#include "lang/three_b/reader.h"
 
 namespace dgt {
 namespace {
@@ -82,6 +83,8 @@ CompileResult examine(const SourceFile& file, const std::string& name, Diagnosti
     finish(file, read_essi(file, options, bag), bag);
   } else if (extension == ".nc" || extension == ".cnc") {
     finish(file, read_gcode(file, GcodeOptions{}, bag), bag);
+  } else if (extension == ".3b") {
+    finish(file, read_three_b(file, ThreeBOptions{}, bag), bag);
   } else {
     BesideLoader loader(name.find("unsaved") == std::string::npos);
     CompileResult result = compile(file, loader, options_for(name), bag);

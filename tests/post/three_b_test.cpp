@@ -71,7 +71,7 @@ TEST(ThreeBText, RapidsTakeTheWireOut) {
   PathBuilder p;
   p.line("1", "0").rapid("1", "2").rapid("3", "2").code("M0").line("4", "2");
   EXPECT_EQ(text(p),
-            "B1000B0B1000GXL1\nD\nB0B2000B2000GYL2\nB2000B0B2000GXL1\nD\nD\nB1000B0B1000GXL1\n"
+            "B1000B0B1000GXL1\nD\nB0B2000B2000GYL2\nB2000B0B2000GXL1\nD\nD\nD\nB1000B0B1000GXL1\n"
             "DD\n");
 }
 

@@ -127,7 +127,9 @@ int end_of_comment(QStringView line, qsizetype at, InputLanguage language) {
     const qsizetype close = line.indexOf(u')', at);
     return static_cast<int>(close < 0 ? line.size() : close + 1);
   }
-  const bool to_the_end = (language == InputLanguage::Gcode && c == u';') ||
+  const bool is_semicolon_comment =
+      language == InputLanguage::Gcode || language == InputLanguage::ThreeB;
+  const bool to_the_end = (is_semicolon_comment && c == u';') ||
                           (language == InputLanguage::Poly && c == u'#') ||
                           (language != InputLanguage::Poly && c == u'%');
   return static_cast<int>(to_the_end ? line.size() : at);

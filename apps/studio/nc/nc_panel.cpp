@@ -34,10 +34,6 @@ constexpr int kTextLines = 40;            // to so many of messages, as far as t
 constexpr int kMessageLines = 13;
 const auto kOverwrite = QStringLiteral("overwrite");
 
-InputLanguage ink_language(const Dialect& dialect) {
-  return language_of(dialect).value_or(InputLanguage::Essi);
-}
-
 }  // namespace
 
 NcPanel::NcPanel(QWidget* parent) : QWidget(parent) {
@@ -245,7 +241,7 @@ void NcPanel::show_written(const NcProgramTextPtr& made) {
 void NcPanel::show_program() {
   is_loading_ = true;
   const int scrolled = editor_->verticalScrollBar()->value();
-  editor_->set_language(ink_language(written_->settings().dialect));
+  editor_->set_language(language_of(written_->settings().dialect));
   std::string text = written_->written.text;
   if (written_->settings().dialect.line_end == "\r\n") std::erase(text, '\r');
   editor_->setPlainText(QString::fromStdString(text));

@@ -99,7 +99,7 @@ void NcPanel::read_text() {
 void NcPanel::take_read(const PartPtr& read) {
   read_ = read;
   collect_messages();
-  if (read && read->path() != nullptr && is_edited()) {
+  if (read->path() != nullptr && is_edited()) {
     is_redrawn_ = true;
     emit part_read(read);
   } else if (!is_edited() && std::exchange(is_redrawn_, false)) {
@@ -139,7 +139,7 @@ void NcPanel::verify() {
   proving_.ask([this, base = written_, exact = exact_part(), name, bytes]() -> Background::Outcome {
     const PartPtr read = read_nc(*base, name, bytes);
     std::optional<Certificate> proof;
-    if (read && read->path() != nullptr) proof = prove_nc(*read, *exact, base->settings());
+    if (read->path() != nullptr) proof = prove_nc(*read, *exact, base->settings());
     return [this, read, proof] { take_proof(read, proof); };
   });
 }
@@ -147,11 +147,9 @@ void NcPanel::verify() {
 void NcPanel::take_proof(const PartPtr& read, const std::optional<Certificate>& proof) {
   if (proof) {
     proof_page_->show_proof(*proof);
-  } else if (read) {
+  } else {
     take_read(read);
     proof_page_->show_refusal(tr("The text has errors; it is no program that could be proved."));
-  } else {
-    proof_page_->show_refusal(tr("Programs of this dialect cannot be read back."));
   }
   tabs_->setCurrentWidget(proof_page_);
   emit verified();

@@ -204,10 +204,6 @@
         <translation>В тексте ошибки; такую программу доказать нельзя.</translation>
     </message>
     <message>
-        <source>Programs of this dialect cannot be read back.</source>
-        <translation>Программы этого диалекта обратно не читаются.</translation>
-    </message>
-    <message>
         <source>Save the NC program</source>
         <translation>Сохранить программу ЧПУ</translation>
     </message>

@@ -19,14 +19,12 @@ NcProgramTextPtr write_nc(const NcWish& wish) {
 }
 
 PartPtr read_nc(const NcProgramText& base, const std::string& name, const std::string& bytes) {
-  const auto language = language_of(base.settings().dialect);
-  if (!language) return nullptr;
   auto read = std::make_shared<Part>();
   read->revision = base.wish.part->revision;
   read->name = name;
   read->settings = base.settings();
   read->settings.source = as_its_control(base.settings());
-  read->settings.source.from = language;
+  read->settings.source.from = language_of(base.settings().dialect);
   read->settings.source.encoding = Encoding::Utf8;
   read->compilation = compile_bytes(name, bytes, read->settings.source);
   return read;

@@ -35,7 +35,7 @@ using NcProgramTextPtr = std::shared_ptr<const NcProgramText>;
 /// Settles the machine and writes: `dgt compile`.
 [[nodiscard]] NcProgramTextPtr write_nc(const NcWish& wish);
 
-/// A text as a control would read it. Nothing when programs of the dialect cannot be read back.
+/// A text as a control would read it.
 [[nodiscard]] PartPtr read_nc(const NcProgramText& base, const std::string& name,
                               const std::string& bytes);
 

@@ -55,7 +55,7 @@ void Documents::tell_failure(const QString& sentence) {
 
 QString Documents::file_filters() const {
   return QStringList{tr("Programs (*.bgt *.dgt *.BGT *.DGT)"), tr("Macros (*.mac *.MAC)"),
-                     tr("NC programs (*.ess *.essi *.nc *.cnc *.gcode *.ngc *.tap)"),
+                     tr("NC programs (*.ess *.essi *.nc *.cnc *.gcode *.ngc *.tap *.3b)"),
                      tr("Polylines (*.poly)"), tr("All files (*)")}
       .join(QStringLiteral(";;"));
 }

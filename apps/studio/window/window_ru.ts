@@ -407,8 +407,8 @@
         <translation>Макросы (*.mac *.MAC)</translation>
     </message>
     <message>
-        <source>NC programs (*.ess *.essi *.nc *.cnc *.gcode *.ngc *.tap)</source>
-        <translation>Программы ЧПУ (*.ess *.essi *.nc *.cnc *.gcode *.ngc *.tap)</translation>
+        <source>NC programs (*.ess *.essi *.nc *.cnc *.gcode *.ngc *.tap *.3b)</source>
+        <translation>Программы ЧПУ (*.ess *.essi *.nc *.cnc *.gcode *.ngc *.tap *.3b)</translation>
     </message>
     <message>
         <source>Polylines (*.poly)</source>
