@@ -11,6 +11,7 @@
 #include "lang/essi/reader.h"
 #include "lang/gcode/reader.h"
 #include "lang/nc/kerf.h"
+#include "lang/three_b/reader.h"
 
 namespace dgt {
 namespace {
@@ -57,6 +58,34 @@ std::string essi(std::int64_t lines, int arc_every) {
   return text + "54\n";
 }
 
+/// Arcs within a quadrant and through two, each counted along the way of its end.
+std::string three_b(std::int64_t lines, int arc_every) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> step(1, 99999);
+  std::uniform_int_distribution<int> quadrant(1, 4);
+  std::string text;
+  for (std::int64_t i = 1; i <= lines; ++i) {
+    const int x = step(random);
+    const int y = step(random);
+    const int q = quadrant(random);
+    if (arc_every > 0 && i % arc_every == 0) {
+      // From 20° on to 70° from there in the quadrant, or as far again into the next one.
+      const bool is_long = i % (2 * arc_every) == 0;
+      const int r = x + 1000;
+      const auto at = [r](double degrees) {
+        return static_cast<std::int64_t>(std::lround(r * std::cos(degrees * 0.017453292519943295)));
+      };
+      const std::int64_t count = is_long ? r - at(70) + r - at(50) : at(20) - at(70);
+      const bool along_x = (q % 2 == 1) != is_long;
+      text += fmt::format("B{}B{}B{}G{}NR{}\n", q % 2 == 1 ? at(20) : at(70),
+                          q % 2 == 1 ? at(70) : at(20), count, along_x ? 'X' : 'Y', q);
+    } else {
+      text += fmt::format("B{}B{}B{}G{}L{}\n", x, y, std::max(x, y), x > y ? 'X' : 'Y', q);
+    }
+  }
+  return text + "DD\n";
+}
+
 template <class ReadText>
 void read(benchmark::State& state, const std::string& text, ReadText&& read_text) {
   for (auto _ : state) {
@@ -85,6 +114,14 @@ void read_essi_lines(benchmark::State& state, int arc_every) {
 }
 BENCHMARK_CAPTURE(read_essi_lines, lines, 0)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(read_essi_lines, half_arcs, 2)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
+void read_three_b_lines(benchmark::State& state, int arc_every) {
+  read(state, three_b(state.range(0), arc_every), [](const SourceFile& file, DiagnosticBag& bag) {
+    return read_three_b(file, ThreeBOptions{}, bag);
+  });
+}
+BENCHMARK_CAPTURE(read_three_b_lines, lines, 0)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(read_three_b_lines, half_arcs, 2)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace dgt

@@ -11,6 +11,7 @@
 
 #include "lang/nc/arc_check.h"
 #include "lang/nc/path_builder.h"
+#include "lang/nc/told_arc.h"
 #include "lang/three_b/block.h"
 
 namespace dgt {
@@ -265,13 +266,13 @@ class ThreeBReader {
     if (!radii.equal) {
       path_.arcs().mismatches.push_back({whole_block(), std::fabs(radii.from - radii.to)});
       if (const auto middle = division_of(chord, centre, ccw)) {
-        path_.arc(from + *middle, circle_by_centre(from, *middle, centre, ccw), nullptr, place());
+        path_.arc(from + *middle, told_by_centre(from, *middle, centre, ccw), nullptr, place());
         return path_.arc(from + chord,
-                         circle_by_centre(from + *middle, chord - *middle, centre - *middle, ccw),
+                         told_by_centre(from + *middle, chord - *middle, centre - *middle, ccw),
                          nullptr, place());
       }
     }
-    path_.arc(from + chord, circle_by_centre(from, chord, centre, ccw), nullptr, place());
+    path_.arc(from + chord, told_by_centre(from, chord, centre, ccw), nullptr, place());
   }
 
   /// Up to one unit is what steps are.
