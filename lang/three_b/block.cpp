@@ -15,8 +15,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// NUL and SUB are what tapes and DOS end with.
 bool is_blank(char c) {
-  constexpr std::string_view kBlanks("\t\v\f \0\x1A", 6);
-  return kBlanks.find(c) != std::string_view::npos;
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0' || c == 0x1A;
 }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
@@ -346,6 +345,7 @@ void BlockReader::refuse() {
 
 void BlockReader::skip_blanks() {
   while (at_ < size_) {
+    if (text_[at_] > ' ' && !is_foreign(text_[at_])) return;
     if (is_blank(text_[at_])) {
       ++at_;
     } else if (is_foreign(text_[at_])) {

@@ -20,6 +20,11 @@ Wide square(std::int64_t v) { return static_cast<Wide>(v) * v; }
 /// ⌊√n⌋; 0 below 0.
 std::int64_t floor_root(Wide n) {
   if (n <= 0) return 0;
+  // The root of a whole number that a double holds is never rounded up to the next whole one, which
+  // is farther from it than a double of that size tells apart.
+  constexpr Wide kExact = Wide{1} << 52;
+  if (n < kExact)
+    return static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::int64_t>(n))));
   auto root = static_cast<std::int64_t>(std::sqrt(static_cast<long double>(n)));
   while (square(root) > n) --root;
   while (square(root + 1) <= n) ++root;
@@ -57,9 +62,9 @@ struct Reached {
 Reached reached(const Swing& swing, std::int64_t extreme, std::int64_t count) {
   const bool falls = swing.aside == 0 || (swing.aside > 0) == swing.falls_above;
   const std::int64_t begin = falls ? extreme - swing.along : 3 * extreme + swing.along;
-  const Wide turn = 4 * static_cast<Wide>(extreme);
-  const Wide steps = (begin + static_cast<Wide>(count)) % turn;
-  const auto phase = static_cast<std::int64_t>(steps == 0 ? turn : steps);
+  const std::int64_t turn = 4 * extreme;
+  const std::int64_t steps = (begin + count) % turn;
+  const std::int64_t phase = steps == 0 ? turn : steps;
   if (phase <= 2 * extreme) return {extreme - phase, true};
   return {phase - 3 * extreme, false};
 }
@@ -117,13 +122,14 @@ CountedEnd end_of_turn(const CountedTurn& turn) {
 std::optional<CountedEnd> end_of_line(const Cell& slope, Axis axis, std::int64_t count) {
   const std::int64_t along = axis == Axis::X ? slope.x : slope.y;
   const std::int64_t aside = axis == Axis::X ? slope.y : slope.x;
-  const Wide product = static_cast<Wide>(count) * aside;
-  if (product % along != 0) return std::nullopt;
-  const Wide end = product / along;
-  constexpr std::int64_t kLargest = 1'000'000'000'000'000'000;
-  if (end > kLargest) return std::nullopt;
+  std::int64_t other = aside;
+  if (count != along) {
+    const Wide product = static_cast<Wide>(count) * aside;
+    constexpr std::int64_t kLargest = 1'000'000'000'000'000'000;
+    if (product % along != 0 || product / along > kLargest) return std::nullopt;
+    other = static_cast<std::int64_t>(product / along);
+  }
   CountedEnd found;
-  const auto other = static_cast<std::int64_t>(end);
   found.end = axis == Axis::X ? Cell{count, other} : Cell{other, count};
   // Behind the last counted step there may be as many of the others as fit between two.
   found.apart = aside > along ? (aside + along - 1) / along : 0;

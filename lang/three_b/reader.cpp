@@ -197,10 +197,10 @@ class ThreeBReader {
 
   std::optional<CountedEnd> counted(const Cell& slope, std::int64_t along) {
     if (along == 0) return refuse_axis(), std::nullopt;
-    const bool is_slope = block_.count % along == 0 && std::gcd(slope.x, slope.y) == 1;
-    const auto end = along == block_.count || is_slope
-                         ? three_b::end_of_line(slope, block_.axis, block_.count)
-                         : std::nullopt;
+    const bool is_said =
+        along == block_.count || (block_.count % along == 0 && std::gcd(slope.x, slope.y) == 1);
+    const auto end =
+        is_said ? three_b::end_of_line(slope, block_.axis, block_.count) : std::nullopt;
     if (!end) {
       report(Message::ThreeBLineCount, whole_block(),
              {std::to_string(along), name_of(block_.axis), std::to_string(block_.count)});

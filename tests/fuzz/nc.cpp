@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes as an NC program. The first byte chooses ESSI, its Iso kin or G-code, and whether arcs
-// are repaired; the rest is read within small bounds, its kerf applied, told of in both languages,
-// and what comes out is held against the laws of a tool path.
+// Any bytes as an NC program. The first byte chooses ESSI, its Iso kin, G-code or 3B, and whether
+// arcs are repaired; the rest is read within small bounds, its kerf applied, told of in both
+// languages, and what comes out is held against the laws of a tool path.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -13,6 +13,7 @@
 #include "lang/nc/kerf.h"
 #include "lang/text/fixes.h"
 #include "lang/text/render.h"
+#include "lang/three_b/reader.h"
 
 namespace {
 
@@ -28,6 +29,14 @@ NcOptions small_bounds(std::uint8_t choice) {
 }
 
 NcProgram read(const SourceFile& file, std::uint8_t choice, DiagnosticBag& bag) {
+  if ((choice & 16) != 0) {
+    ThreeBOptions options;
+    options.nc = small_bounds(choice);
+    if ((choice & 1) != 0) options.pause = ThreeBPause::Stop;
+    if ((choice & 2) != 0) options.unit = Rational(1, 3);
+    if ((choice & 4) != 0) options.end_tolerance = 10;
+    return read_three_b(file, options, bag);
+  }
   if ((choice & 1) != 0) {
     GcodeOptions options;
     options.nc = small_bounds(choice);
