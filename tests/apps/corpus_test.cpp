@@ -46,6 +46,8 @@ const std::vector<Output> kMoreOutputs = {
     {".3b", {"compile", "--post", "3b"}},
     {".control", {"compile", "--post", "linuxcnc", "--compensation", "control"}},
 };
+/// And of those that are in it themselves.
+const Output kThreeB = {".3b", {"convert", "--to", "3b"}};
 /// What they are in the language, where a person looks at it.
 const Output kSource = {".dgt", {"convert", "--to", "dgt"}};
 
@@ -53,6 +55,7 @@ std::vector<Output> outputs_of(const std::string& program) {
   std::vector<Output> outputs = kOutputs;
   if (std::ranges::find(kRichPrograms, program) != kRichPrograms.end())
     outputs.insert(outputs.end(), kMoreOutputs.begin(), kMoreOutputs.end());
+  if (program.starts_with("three_b/")) outputs.push_back(kThreeB);
   const bool is_short = program != "dxf/blocks.dxf" && program != "dxf/spline.dxf";
   if (is_short) outputs.push_back(kSource);
   return outputs;
@@ -68,8 +71,8 @@ std::vector<std::string> programs() {
     fs::path name = entry.path().lexically_relative(folder());
     if (*name.begin() == "golden") continue;
     if (name.extension() == ".bgt") names.push_back(name.replace_extension().string());
-    if (name.extension() == ".ess" || name.extension() == ".cnc" || name.extension() == ".dxf")
-      names.push_back(name.string());
+    static const std::set<fs::path> kOthers = {".ess", ".cnc", ".3b", ".dxf"};
+    if (kOthers.contains(name.extension())) names.push_back(name.string());
   }
   std::ranges::sort(names);
   return names;
@@ -150,7 +153,8 @@ TEST(Corpus, WhatIsWrittenComesBackByteForByteWhenReadAndWrittenAgain) {
   const std::map<fs::path, Dialect> dialects = {
       {".ess", {"essi", "essi"}},          {".iso", {"essi-iso", "essi-iso"}},
       {".cnc", {"plasmatic", "gcode"}},    {".ngc", {"linuxcnc", "gcode"}},
-      {".fanuc", {"fanuc-wire", "gcode"}}, {".grbl", {"grbl", "gcode"}}};
+      {".fanuc", {"fanuc-wire", "gcode"}}, {".grbl", {"grbl", "gcode"}},
+      {".3b", {"3b", "3b"}}};
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(golden(""))) {
     const auto dialect = dialects.find(entry.path().extension());
