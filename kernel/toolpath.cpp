@@ -73,6 +73,13 @@ void length_of(mpfr_ptr out, const Move& move) {
   mpfr_hypot(out, out, other, MPFR_RNDN);
 }
 
+/// A way that also rises: on a helix, too, the two are square to each other all along.
+void lengthen(mpfr_ptr length, const Rational& rise) {
+  MpfrFloat up(kMeasureBits);
+  mpfr_set_q(up, rise.get_mpq_t(), MPFR_RNDN);
+  mpfr_hypot(length, length, up, MPFR_RNDN);
+}
+
 // --- the printed form ---------------------------------------------------------------------------
 
 std::string fixed(double value) {
@@ -160,8 +167,13 @@ Lengths lengths(std::span<const Move> moves) {
   MpfrFloat one(kMeasureBits);
   mpfr_set_zero(cut, 1);
   mpfr_set_zero(rapid, 1);
+  Rational height;
   for (const Move& move : moves) {
     length_of(one, move);
+    if (move.z && *move.z != height) {
+      lengthen(one, *move.z - height);
+      height = *move.z;
+    }
     if (move.kind == MoveKind::Rapid)
       mpfr_add(rapid, rapid, one, MPFR_RNDN);
     else

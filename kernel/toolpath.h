@@ -99,12 +99,13 @@ struct Toolpath {
 /// circle. Rounded to nearest from 96 bits.
 [[nodiscard]] double sweep_degrees(const Move& arc);
 
-/// Lengths in mm, summed in 128 bits and rounded once.
+/// Lengths in mm, summed in 128 bits and rounded once; heights count, from height 0 at the start.
 struct Lengths {
   double cut = 0;
   double rapid = 0;
 };
 [[nodiscard]] Lengths lengths(std::span<const Move> moves);
+/// In the plane.
 [[nodiscard]] double length(const Move& move);
 
 /// The printed form (the guide's internal form): one line a move, the same on every machine.
