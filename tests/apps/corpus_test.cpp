@@ -150,11 +150,13 @@ TEST(Corpus, WhatIsWrittenComesBackByteForByteWhenReadAndWrittenAgain) {
     std::string name;
     std::string language;
   };
-  const std::map<fs::path, Dialect> dialects = {
-      {".ess", {"essi", "essi"}},          {".iso", {"essi-iso", "essi-iso"}},
-      {".cnc", {"plasmatic", "gcode"}},    {".ngc", {"linuxcnc", "gcode"}},
-      {".fanuc", {"fanuc-wire", "gcode"}}, {".grbl", {"grbl", "gcode"}},
-      {".3b", {"3b", "3b"}}};
+  const std::map<fs::path, Dialect> dialects = {{".ess", {"essi", "essi"}},
+                                                {".iso", {"essi-iso", "essi-iso"}},
+                                                {".cnc", {"plasmatic", "gcode"}},
+                                                {".ngc", {"linuxcnc", "gcode"}},
+                                                {".fanuc", {"fanuc-wire", "gcode"}},
+                                                {".grbl", {"grbl", "gcode"}},
+                                                {".3b", {"3b", "3b"}}};
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(golden(""))) {
     const auto dialect = dialects.find(entry.path().extension());

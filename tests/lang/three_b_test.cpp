@@ -76,6 +76,26 @@ TEST(ThreeB, ATextbooksArcs) {
             "-244.942385 contour\n");
 }
 
+TEST(ThreeB, ArcsOnAnAxisBeginInTheQuadrantTheyRunInto) {
+  // A quarter from each half axis, both ways, and back: J is counted along the way of the end.
+  for (const char* text :
+       {"B5000B0B5000GXNR1\nB0B5000B5000GYSR1\nDD\n", "B0B5000B5000GYNR2\nB5000B0B5000GXSR2\nDD\n",
+        "B5000B0B5000GXNR3\nB0B5000B5000GYSR3\nDD\n",
+        "B0B5000B5000GYNR4\nB5000B0B5000GXSR4\nDD\n"}) {
+    EXPECT_THAT(read(text), testing::AllOf(testing::HasSubstr("sweep 90.000000"),
+                                           testing::HasSubstr("2 arc X0.000000 Y0.000000"),
+                                           testing::HasSubstr("sweep -90.000000")))
+        << text;
+  }
+}
+
+TEST(ThreeB, ATurnThatIsNearlyWholeIsTakenInTwo) {
+  EXPECT_EQ(read("B300B20B1200GYNR1\nDD\n"),
+            "start X0.000000 Y0.000000\n1 arc X-0.600007 Y-0.038000 centre X-0.299940 Y-0.019996 "
+            "radius 0.300606 sweep 179.619556 contour\n2 arc X0.000000 Y-0.004000 centre "
+            "X-0.300060 Y-0.020003 radius 0.300486 sweep 179.619252 contour\n");
+}
+
 TEST(ThreeB, ACircleIsAWholeTurn) {
   EXPECT_EQ(read("B5000B0B20000GYNR1\nDD\n"),
             "start X0.000000 Y0.000000\n1 arc X0.000000 Y0.000000 centre X-5.000000 Y0.000000 "
@@ -91,6 +111,10 @@ TEST(ThreeB, WhatCountsALittleMoreThanATurnRunsOnBehindIt) {
             "start X0.000000 Y0.000000\n1 arc X0.000000 Y0.000000 centre X-0.300000 Y-0.020000 "
             "radius 0.300666 sweep 360.000000 contour\n2 arc X0.000000 Y0.002000 centre "
             "X-0.300000 Y0.001000 radius 0.300002 sweep 0.381970 contour\n");
+  EXPECT_THAT(read("B300B20B1205GYNR1\nDD\n"),
+              testing::AllOf(testing::HasSubstr("sweep 360.000000"),
+                             testing::HasSubstr("2 arc X0.000000 Y0.001000")));
+  EXPECT_THAT(read("B300B20B1204GYNR1\nDD\n"), testing::Not(testing::HasSubstr("2 arc")));
 }
 
 TEST(ThreeB, BlocksMayBeLabelledSpacedAndInAnyCase) {
@@ -130,6 +154,21 @@ TEST(ThreeB, NotedPlacesCountFromTheFirstWhenNothingSaysTheStart) {
       "t.3b:2:1: warning: this block is noted to end at X15 Y-0.55, and ends at X15 Y-0.5; no "
       "more than the first such difference is told [DGT1619]\n"
       "B0B5000B5000GYL2 ; 15.000, -0.55\n^~~~~~~~~~~~~~~~\n");
+}
+
+TEST(ThreeB, ALongNumberIsNoPlace) {
+  EXPECT_EQ(told("B5000B0B5000GXL1 ; 5.00000000000000000000000000001, 0\nDD\n"), "");
+}
+
+TEST(ThreeB, ZerosBeforeANumberMayBeAny) {
+  EXPECT_EQ(read("B0000000000000000000000005000B0B5000GXL1\nDD\n"),
+            std::string(kStart) + "1 line X5.000000 Y0.000000 contour\n");
+}
+
+TEST(ThreeB, ABlockThatIsCutShortIsNoTitle) {
+  EXPECT_THAT(read("BBB5000L1\nDD\n"), testing::HasSubstr("'BBB5000L1' is no block"));
+  EXPECT_THAT(read("DDX\n"), testing::HasSubstr("'DDX' is no block"));
+  EXPECT_EQ(read("Bracket 5\nDD\n"), kStart);
 }
 
 TEST(ThreeB, TheUnitIsASetting) {
@@ -186,7 +225,11 @@ TEST(ThreeB, AWireThatStaysOutIsToldOnce) {
       told("BBB1000GXL1\nD\nBBB1000GXL1\nDD\n"),
       "t.3b:2:1: note: from this D to the end the wire is out, and the moves are rapids; if it "
       "only stops the machine, say --set 3b.pause=stop [DGT1617]\nD\n^\n");
-  EXPECT_EQ(told("BBB1000GXL1\nD\nBBB1000GXL1\nD\nDD\n"), "");
+  const char* const threaded = "BBB1000GXL1\nD\nBBB1000GXL1\nD\nDD\n";
+  EXPECT_EQ(told(threaded), "");
+  EXPECT_EQ(read(threaded), std::string(kStart) +
+                                "1 line X1.000000 Y0.000000 contour\n"
+                                "2 rapid X2.000000 Y0.000000 position\n");
 }
 
 TEST(ThreeB, BlocksThatControlsEndApartAreCounted) {
