@@ -87,7 +87,7 @@ bool BlockReader::next(Block& block) {
 
 void BlockReader::begin_block(Block& block) {
   block.line = line_;
-  block.begin = at_;
+  block.begin = block.end = at_;
   block.column = 1;
   if (at_ > line_begin_)
     block.column = count_code_points({text_ + line_begin_, at_ - line_begin_}) + 1;

@@ -121,6 +121,7 @@ class ThreeBReader {
   // --- blocks
 
   void execute() {
+    last_block_ = whole_block();
     switch (block_.kind) {
       case Block::Kind::Pause:
         return pause();
@@ -316,7 +317,7 @@ class ThreeBReader {
     }
     if (is_out_ && pending_.file == nullptr && !bag_.has_errors())
       report(Message::ThreeBWireOut, taken_out_);
-    if (!ended_ && path_.size() > 0) report(Message::ThreeBEndLacking, whole_block());
+    if (!ended_) report(Message::ThreeBEndLacking, last_block_);
   }
 
   const SourceFile& file_;
@@ -328,6 +329,7 @@ class ThreeBReader {
   const std::int64_t tolerance_;  ///< units
 
   Block block_;
+  Range last_block_{&file_, 0, 0};
   bool ended_ = false;
   bool is_out_ = false;  ///< the wire
   Range taken_out_;      ///< by this D

@@ -246,6 +246,14 @@ TEST(ThreeB, BlocksThatControlsEndApartAreCounted) {
   EXPECT_THAT(told(program, options), testing::HasSubstr("up to 0.002 mm apart; 0.001 mm"));
 }
 
+TEST(ThreeB, AFileWithoutAnEndIsToldOf) {
+  const std::string empty =
+      "t.3b:1:1: warning: neither DD nor E ends the program; is the file whole? [DGT1618]\n";
+  EXPECT_THAT(told(""), testing::StartsWith(empty));
+  EXPECT_THAT(told("Bracket\n"), testing::StartsWith(empty));
+  EXPECT_THAT(told("BBB1000GXL1\nB5"), testing::HasSubstr(empty));
+}
+
 TEST(ThreeB, TooManyMovesStopTheReader) {
   ThreeBOptions options;
   options.nc.max_moves = 2;
