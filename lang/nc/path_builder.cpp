@@ -2,6 +2,7 @@
 #include "lang/nc/path_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -16,6 +17,33 @@ constexpr double kOnePlace = 1e-9;
 bool is_one_place(const Point& a, const Point& b) {
   return std::fabs(a.x() - b.x()) <= kOnePlace && std::fabs(a.y() - b.y()) <= kOnePlace;
 }
+
+/// Of a run of cuts, those at either end may be leads.
+constexpr std::size_t kMaxLead = 2;
+
+/// The cuts of a run, by their number. Those at its ends are kept, as far as anybody asks for them:
+/// the leads, and what they lead to.
+class Cuts {
+ public:
+  explicit Cuts(std::span<Move> run) {
+    for (Move& move : run) {
+      if (!move.cuts()) continue;
+      if (count_ < kKept) first_.at(count_) = &move;
+      last_.at(count_++ % kKept) = &move;
+    }
+  }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] Move& operator[](std::size_t k) const {
+    return k < kKept ? *first_.at(k) : *last_.at(k % kKept);
+  }
+
+ private:
+  static constexpr std::size_t kKept = kMaxLead + 2;
+
+  std::array<Move*, kKept> first_{};
+  std::array<Move*, kKept> last_{};  ///< number k at k % kKept
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -87,23 +115,20 @@ Move& PathBuilder::travel(MoveKind kind, const Spot& to, RationalPtr height,
 }
 
 bool mark_leads(std::span<Move> run) {
-  std::vector<Move*> cuts;  // the ends are all that is looked at, and most runs are short
-  for (Move& move : run)
-    if (move.cuts()) cuts.push_back(&move);
-  const std::size_t count = cuts.size();
-  const auto point = [&](std::size_t k) { return k < count ? cuts[k]->from : cuts.back()->to; };
-  constexpr std::size_t kMaxLead = 2;
+  const Cuts cuts(run);
+  const std::size_t count = cuts.count();
+  const auto point = [&](std::size_t k) { return k < count ? cuts[k].from : cuts[count - 1].to; };
   for (std::size_t leads = 0; leads <= 2 * kMaxLead; ++leads) {
     for (std::size_t in = 0; in <= std::min(leads, kMaxLead); ++in) {
       const std::size_t out = leads - in;
       if (out > kMaxLead || leads >= count) continue;
       const std::size_t end = count - out;
-      const bool is_loop = end - in > 1 || cuts[in]->full_circle;
+      const bool is_loop = end - in > 1 || cuts[in].full_circle;
       if (!is_loop || !is_one_place(point(in), point(end))) continue;
       // Out by the way it came in: that is a lead however it ends.
       if (end - in > 2 && is_one_place(point(in + 1), point(end - 1))) continue;
-      for (std::size_t k = 0; k < in; ++k) cuts[k]->role = Role::LeadIn;
-      for (std::size_t k = end; k < count; ++k) cuts[k]->role = Role::LeadOut;
+      for (std::size_t k = 0; k < in; ++k) cuts[k].role = Role::LeadIn;
+      for (std::size_t k = end; k < count; ++k) cuts[k].role = Role::LeadOut;
       return true;
     }
   }

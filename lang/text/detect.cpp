@@ -162,14 +162,11 @@ double cost_in(Encoding encoding, std::string_view bytes) {
 }
 
 bool is_valid_utf8(std::string_view bytes) {
-  for (std::size_t i = 0; i < bytes.size();) {
-    if (is_ascii(bytes[i])) {
-      ++i;
-      continue;
-    }
+  for (std::size_t i = ascii_run(bytes, 0); i < bytes.size();) {
     const CodePoint c = code_point_at(bytes, i);
     if (!is_valid(c)) return false;
     i += c.size;
+    i += ascii_run(bytes, i);
   }
   return true;
 }

@@ -42,8 +42,6 @@ std::u16string_view upper_half(Encoding encoding) {
   return {};
 }
 
-bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
 // One character of the file: what it stands for, how many bytes it takes.
 CodePoint character_at(std::string_view bytes, std::size_t offset, Encoding encoding) {
   if (encoding == Encoding::Utf8) return code_point_at(bytes, offset);
@@ -67,9 +65,7 @@ void append_stray(Decoded& decoded, char byte) {
 void append_text(Decoded& decoded, std::string_view bytes) {
   decoded.text.reserve(bytes.size());
   for (std::size_t i = 0; i < bytes.size();) {
-    const auto high =
-        std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.end(), is_high);
-    const auto run = static_cast<std::size_t>(high - bytes.begin()) - i;
+    const std::size_t run = ascii_run(bytes, i);
     decoded.text.append(bytes, i, run);
     i += run;
     if (i == bytes.size()) break;
@@ -84,14 +80,17 @@ void append_text(Decoded& decoded, std::string_view bytes) {
 }
 
 void note_line_ends(TextForm& form, std::string_view text) {
-  std::array<std::size_t, 3> count{};
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\n' && text[i] != '\r') continue;
-    const bool both = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
-    const LineEnd end = both ? LineEnd::CrLf : text[i] == '\n' ? LineEnd::Lf : LineEnd::Cr;
-    ++count.at(static_cast<std::size_t>(end));
-    i += both ? 1 : 0;
+  const auto line_feeds = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  const auto returns = static_cast<std::size_t>(std::ranges::count(text, '\r'));
+  std::size_t pairs = 0;
+  if (returns > 0) {
+    for (std::size_t i = 1; i < text.size(); ++i)
+      pairs += text[i - 1] == '\r' && text[i] == '\n' ? 1 : 0;
   }
+  std::array<std::size_t, 3> count{};
+  count.at(static_cast<std::size_t>(LineEnd::Lf)) = line_feeds - pairs;
+  count.at(static_cast<std::size_t>(LineEnd::CrLf)) = pairs;
+  count.at(static_cast<std::size_t>(LineEnd::Cr)) = returns - pairs;
   const auto most = std::ranges::max_element(count);
   form.line_end = static_cast<LineEnd>(most - count.begin());
   form.mixed_line_ends = std::ranges::count(count, 0U) < 2;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace dgt {
 namespace {
@@ -73,6 +74,17 @@ CodePoint code_point_at(std::string_view text, std::size_t offset) {
     value = (value << 6) | (byte & 0x3FU);
   }
   return is_encodable(value, length) ? CodePoint{value, length} : kInvalid;
+}
+
+std::size_t ascii_run(std::string_view text, std::size_t offset) {
+  constexpr std::uint64_t kHighBits = 0x8080'8080'8080'8080;
+  std::size_t at = offset;
+  for (std::uint64_t eight = 0; at + sizeof eight <= text.size(); at += sizeof eight) {
+    std::memcpy(&eight, text.data() + at, sizeof eight);
+    if ((eight & kHighBits) != 0) break;
+  }
+  while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
+  return at - offset;
 }
 
 void append_utf8(std::string& text, char32_t value) {

@@ -27,6 +27,9 @@ struct CodePoint {
   return c.value != kReplacementCharacter || c.size != 1;
 }
 
+/// How many bytes of ASCII `text` has from `offset` on, up to the first other one.
+[[nodiscard]] std::size_t ascii_run(std::string_view text, std::size_t offset);
+
 /// Appends a code point as UTF-8.
 void append_utf8(std::string& text, char32_t value);
 

@@ -6,6 +6,20 @@
 namespace dgt {
 namespace {
 
+TEST(AsciiRun, EndsAtTheFirstOtherByteWhereverItStands) {
+  for (std::size_t size = 0; size < 20; ++size) {
+    for (std::size_t offset = 0; offset <= size; ++offset) {
+      std::string text(size, '\x7F');
+      EXPECT_EQ(ascii_run(text, offset), size - offset);
+      for (std::size_t high = offset; high < size; ++high) {
+        text[high] = '\x80';
+        EXPECT_EQ(ascii_run(text, offset), high - offset) << size << ' ' << offset;
+        text[high] = '\0';
+      }
+    }
+  }
+}
+
 TEST(CodePointAt, ReadsEveryLength) {
   EXPECT_EQ(code_point_at("A", 0).value, U'A');
   EXPECT_EQ(code_point_at("Я", 0).value, U'Я');
