@@ -46,10 +46,11 @@ class Planner {
             dialect.form == Form::ThreeB,
             largest_units(dialect)} {}
 
-  Plan run() {
+  Plan run(const OnProgress& on_progress) {
     decide_torch();
     begin();
     for (move_ = 0; move_ < path_.moves.size(); ++move_) {
+      tell_progress(on_progress, move_, path_.moves.size());
       emit_words_before();
       write(path_.moves[move_]);
     }
@@ -339,8 +340,9 @@ class Planner {
 }  // namespace
 
 Plan plan(const Toolpath& path, const Dialect& dialect,
-          const std::map<std::size_t, std::vector<std::string>>& words) {
-  return Planner(path, dialect, words).run();
+          const std::map<std::size_t, std::vector<std::string>>& words,
+          const OnProgress& on_progress) {
+  return Planner(path, dialect, words).run(on_progress);
 }
 
 }  // namespace dgt

@@ -41,6 +41,7 @@ struct Plan {
 
 /// `words`: further lines to be written before a move, those of the number of moves at the end.
 [[nodiscard]] Plan plan(const Toolpath& path, const Dialect& dialect,
-                        const std::map<std::size_t, std::vector<std::string>>& words = {});
+                        const std::map<std::size_t, std::vector<std::string>>& words = {},
+                        const OnProgress& on_progress = {});
 
 }  // namespace dgt

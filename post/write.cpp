@@ -38,12 +38,12 @@ WriteResult write_planned(Plan planned, const Toolpath& path, const Dialect& dia
 
 }  // namespace
 
-WriteResult write(const Toolpath& path, const Dialect& dialect) {
+WriteResult write(const Toolpath& path, const Dialect& dialect, const OnProgress& on_progress) {
   if (dialect.compensation == Compensation::Computed)
-    return write_planned(plan(path, dialect), path, dialect);
+    return write_planned(plan(path, dialect, {}, on_progress), path, dialect);
   ControlledPath controlled = offset_by_control(path, dialect);
-  WriteResult result =
-      write_planned(plan(controlled.path, dialect, controlled.words), controlled.path, dialect);
+  WriteResult result = write_planned(plan(controlled.path, dialect, controlled.words, on_progress),
+                                     controlled.path, dialect);
   if (controlled.faults.empty()) return result;
   result.text.clear();
   result.faults.insert(result.faults.begin(), controlled.faults.begin(), controlled.faults.end());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/progress.h"
 #include "post/dialect.h"
 
 /// From the tool path to the text a control reads.
@@ -80,7 +81,9 @@ struct WriteResult {
 ///      and within half a unit of the exact curve at the ends of the pieces of divided arcs.
 ///  (2) Every arc written exists (chord ≤ 2R) and is the arc meant.
 ///  (3) The deviation is at most kWorstDeviation units (post/plan.h), and the report bounds it.
-///  (4) The text depends on nothing but the arguments.
-[[nodiscard]] WriteResult write(const Toolpath& path, const Dialect& dialect);
+///  (4) The text depends on nothing but the path and the dialect.
+/// `on_progress`: of the moves.
+[[nodiscard]] WriteResult write(const Toolpath& path, const Dialect& dialect,
+                                const OnProgress& on_progress = {});
 
 }  // namespace dgt

@@ -52,8 +52,8 @@ ExitCode write_for(const Request& request, const PostOptions& post, const Consol
   const auto made = load(request.file, request.source, settings->source, console);
   if (!made) return made.error();
   const WriteResult written = [&] {
-    const Stage stage(console, Text::StageWriting, request.file);
-    return write(*made->result.path, dialect);
+    Stage stage(console, Text::StageWriting, request.file);
+    return write(*made->result.path, dialect, stage.on_progress());
   }();
   console.show(explain(written, dialect, *made), sources_of(*made));
   if (!written.faults.empty()) return ExitCode::InputErrors;

@@ -35,8 +35,13 @@ Step<Compilation> examine(const std::string& file, const SourceOptions& options,
     return tl::unexpected(known.error());
   }
   auto made = [&] {
-    const Stage stage(console, Text::StageReading, file);
-    return compile_file(file, settings);
+    Stage stage(console, Text::StageReading, file);
+    SourceSettings watched = settings;
+    watched.evaluate.on_progress = stage.on_progress();
+    watched.essi.nc.on_progress = stage.on_progress();
+    watched.gcode.nc.on_progress = stage.on_progress();
+    watched.three_b.nc.on_progress = stage.on_progress();
+    return compile_file(file, watched);
   }();
   if (!made) return tl::unexpected(report(made.error(), console));
   console.show(made->bag, sources_of(*made));

@@ -66,8 +66,8 @@ ExitCode run(const VerifyOptions& options, const Console& console) {
   VerifyLimits limits = limits_of(settings->dialect);
   if (options.tolerance) limits.deviation = *parse_decimal(*options.tolerance);
   const Certificate proof = [&] {
-    const Stage stage(console, Text::StageProving, request.file);
-    return verify(*program, *against, settings->dialect.name, limits);
+    Stage stage(console, Text::StageProving, request.file);
+    return verify(*program, *against, settings->dialect.name, limits, stage.on_progress());
   }();
   const ExitCode code = write_result(
       request.output, options.json ? to_json(proof) : to_text(proof, console.language()), console);

@@ -64,6 +64,7 @@ class Matcher {
     states_.push_back({0, 0, 0, 0, start_slack_});
     bool lost = false;
     for (done_ = 0; done_ < meant_.size() && !lost; ++done_) {
+      tell_progress(options_.on_progress, done_, meant_.size());
       const std::size_t front = fronts_.back();
       const std::size_t end = states_.size();
       fronts_.push_back(end);

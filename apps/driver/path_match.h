@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/measure.h"
+#include "kernel/progress.h"
 
 /// Which blocks of a program that was read back run which move of the exact path, and how far away.
 ///
@@ -21,6 +22,7 @@ struct MatchOptions {
   Rational limit;  ///< the largest distance of the curves, mm
   /// False when the program does not tell cuts from rapids.
   bool tells_cuts = true;
+  OnProgress on_progress;  ///< of the exact path's moves
 };
 
 /// One move of the exact path and what runs it.

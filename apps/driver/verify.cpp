@@ -60,8 +60,9 @@ class Verifier {
     proof_.files = exact_.files;
   }
 
-  Certificate run() {
-    match_ = match(written_, exact_, {proof_.limits.unit, proof_.limits.deviation, tells_cuts()});
+  Certificate run(const OnProgress& on_progress) {
+    match_ = match(written_, exact_,
+                   {proof_.limits.unit, proof_.limits.deviation, tells_cuts(), on_progress});
     proof_.is_complete = match_.is_complete;
     take_faults();
     take_rows();
@@ -304,8 +305,9 @@ const char* name_of(VerifyFault::Kind kind) {
 }
 
 Certificate verify(const Compilation& program, const Compilation& against,
-                   const std::string& dialect, const VerifyLimits& limits) {
-  return Verifier(program, against, dialect, limits).run();
+                   const std::string& dialect, const VerifyLimits& limits,
+                   const OnProgress& on_progress) {
+  return Verifier(program, against, dialect, limits).run(on_progress);
 }
 
 }  // namespace dgt

@@ -92,8 +92,9 @@ struct Certificate {
   [[nodiscard]] bool holds() const { return is_complete && faults.empty(); }
 };
 
-/// Precondition: both have a tool path.
+/// `on_progress`: of the exact path's moves. Precondition: both have a tool path.
 [[nodiscard]] Certificate verify(const Compilation& program, const Compilation& against,
-                                 const std::string& dialect, const VerifyLimits& limits);
+                                 const std::string& dialect, const VerifyLimits& limits,
+                                 const OnProgress& on_progress = {});
 
 }  // namespace dgt

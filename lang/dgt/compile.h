@@ -8,6 +8,7 @@
 
 #include "kernel/contour.h"
 #include "kernel/part_crossing.h"
+#include "kernel/progress.h"
 #include "lang/dgt/elements.h"
 #include "lang/dgt/loader.h"
 #include "lang/text/diagnostic.h"
@@ -49,6 +50,7 @@ struct EvaluateOptions {
   EvaluateBounds bounds;
   /// Of macros and definition files; nothing: as each of them looks.
   std::optional<Encoding> encoding;
+  OnProgress on_progress;  ///< of the program's text, in bytes
 };
 
 /// What a program comes to.

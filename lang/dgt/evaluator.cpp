@@ -18,7 +18,11 @@ Overloaded(Fs...) -> Overloaded<Fs...>;
 
 Toolpath Evaluator::run(ProgramReader& program) {
   shared_.call_stack = {&program.file()};
+  std::size_t pieces = 0;
   for (Program piece; program.next(piece); forget_splices(piece)) {
+    const OnProgress& told = shared_.options.on_progress;
+    if (told && ++pieces % kProgressStep == 0 && !piece.statements.empty())
+      told(piece.statements.front().range.begin, program.file().text().size());
     if (!stopped_) execute(piece);  // what comes after a stop is still parsed, for its faults
   }
   return contours_.finish();

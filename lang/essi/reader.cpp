@@ -86,6 +86,7 @@ class EssiReader {
   NcProgram run() {
     Block block;
     while (!stopped_ && blocks_.next(block)) {
+      tell_progress(options_.nc.on_progress, block.line, file_.line_count());
       if (is_guide_ && is_definition(block)) continue;
       if (ended_) {
         report(Message::BehindTheEnd, range_of(block));

@@ -49,6 +49,7 @@ class GcodeReader {
 
   NcProgram run() {
     while (blocks_.next(block_)) {
+      tell_progress(options_.nc.on_progress, block_.line, file_.line_count());
       if (ended_ && !block_.is_tape_mark) {
         report(Message::BehindTheEnd, whole_block());
         break;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/progress.h"
 #include "kernel/toolpath.h"
 #include "lang/text/diagnostic.h"
 
@@ -22,6 +23,7 @@ struct NcOptions {
   std::uint64_t max_moves = 10'000'000;
   /// Executed, those of subprograms counted as they run.
   std::uint64_t max_blocks = 10'000'000;
+  OnProgress on_progress;  ///< of the lines read
 };
 
 /// The kerf compensation that is in force from a move on.

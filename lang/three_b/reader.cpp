@@ -50,6 +50,7 @@ class ThreeBReader {
 
   NcProgram run() {
     while (blocks_.next(block_)) {
+      tell_progress(options_.nc.on_progress, block_.line, file_.line_count());
       if (ended_) {
         report(Message::BehindTheEnd, whole_block());
         break;

@@ -2,6 +2,7 @@
 #include "tests/support/command.h"
 
 #include <fcntl.h>
+#include <pty.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,7 +13,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace dgt::support {
 namespace {
@@ -32,18 +35,55 @@ void redirect(const std::string& file, int flags, int as) {
   ::close(fd);
 }
 
-// Files and not pipes hold the streams, so nothing can wait for the other side.
+// Files and not pipes hold the streams, so nothing can wait for the other side; what goes to a
+// terminal is read while the command runs.
 struct Streams {
   std::string in;
   std::string out;
   std::string err;
 };
 
+/// A terminal for another process to write on.
+class Terminal {
+ public:
+  Terminal() {
+    if (::openpty(&ours_, &theirs_, nullptr, nullptr, nullptr) != 0)
+      throw std::runtime_error("openpty failed");
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() {
+    ::close(ours_);
+    if (theirs_ >= 0) ::close(theirs_);
+  }
+  /// Of the child: where it writes.
+  [[nodiscard]] int theirs() const { return theirs_; }
+  /// All that is written until everybody has closed it.
+  [[nodiscard]] std::string read_all() {
+    ::close(std::exchange(theirs_, -1));
+    std::string text;
+    std::array<char, 4096> piece{};
+    while (true) {
+      const ssize_t got = ::read(ours_, piece.data(), piece.size());
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) return text;  // EIO: closed at the other end
+      text.append(piece.data(), static_cast<std::size_t>(got));
+    }
+  }
+
+ private:
+  int ours_ = -1;
+  int theirs_ = -1;
+};
+
 [[noreturn]] void become(std::vector<char*> arguments, std::vector<char*> environment,
-                         const Streams& streams, const fs::path& folder) {
+                         const Streams& streams, const Terminal* terminal, const fs::path& folder) {
   redirect(streams.in, O_RDONLY, STDIN_FILENO);
   redirect(streams.out, O_WRONLY | O_CREAT, STDOUT_FILENO);
-  redirect(streams.err, O_WRONLY | O_CREAT, STDERR_FILENO);
+  if (terminal == nullptr)
+    redirect(streams.err, O_WRONLY | O_CREAT, STDERR_FILENO);
+  else if (::dup2(terminal->theirs(), STDERR_FILENO) < 0)
+    ::_exit(127);
   if (::chdir(folder.c_str()) == 0) ::execve(arguments[0], arguments.data(), environment.data());
   ::_exit(127);
 }
@@ -78,13 +118,17 @@ Outcome run_dgt(const std::vector<std::string>& arguments, const CommandOptions&
     environment.push_back(entry);
   }
 
+  std::optional<Terminal> terminal;
+  if (options.on_terminal) terminal.emplace();
+  const Terminal* const error = terminal ? &*terminal : nullptr;
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("fork failed");
-  if (child == 0) become(pointers(words), pointers(environment), streams, options.folder);
+  if (child == 0) become(pointers(words), pointers(environment), streams, error, options.folder);
   Outcome outcome;
+  if (terminal) outcome.err = terminal->read_all();
   wait_for(child, outcome);
   if (options.output_to.empty()) outcome.out = read_text(streams.out);
-  outcome.err = read_text(streams.err);
+  if (!terminal) outcome.err = read_text(streams.err);
   return outcome;
 }
 

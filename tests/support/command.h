@@ -20,6 +20,7 @@ struct CommandOptions {
   std::vector<std::string> environment = {};  ///< `NAME=value`, besides PATH and LC_ALL=C.UTF-8
   std::filesystem::path folder = ".";         ///< where it runs
   std::string output_to = {};                 ///< standard output goes to this file instead
+  bool on_terminal = false;                   ///< standard error is a terminal
 };
 
 /// Runs the `dgt` that was just built with these arguments.
