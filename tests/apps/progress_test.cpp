@@ -75,7 +75,7 @@ TEST_F(ProgressOnATerminal, TellsHowMuchIsReadOfEveryLanguage) {
   std::string three_b;
   for (int i = 1; i <= kLines; ++i) {
     essi += "+10+10\n";
-    three_b += "B B B10 GX L1\n";
+    three_b += "B10B0B10GXL1\n";
     dgt += fmt::format("P{}=X{} Y1\n", i % 1000, i);
   }
   const Outcome of_essi = run({"check", folder_.write("long.ess", essi + "54\n")});
