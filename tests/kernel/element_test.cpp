@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <latch>
 #include <memory>
 #include <thread>
@@ -73,21 +74,27 @@ TEST(ElementOnDemand, IsMadeWhenItIsFirstAskedForAndOnce) {
   EXPECT_EQ(source->times_made, 1);
 }
 
-TEST(ElementOnDemand, ThreadsThatAskAtOnceGetTheSameOne) {
-  for (int round = 0; round < 50; ++round) {
-    const ElementPtr element(std::make_shared<const CountedCircle>());
-    std::latch all_there(4);
-    std::array<const Element*, 4> seen{};
-    std::vector<std::thread> threads;
-    for (const Element*& mine : seen) {
-      threads.emplace_back([&] {
-        all_there.arrive_and_wait();
-        mine = element.get();
-      });
-    }
-    for (std::thread& thread : threads) thread.join();
-    for (const Element* const one : seen) EXPECT_EQ(one, element.get());
+constexpr std::ptrdiff_t kThreads = 4;
+
+/// Is given to nobody before all threads have made it.
+class CircleOfAllThreads final : public ElementOnDemand {
+ private:
+  [[nodiscard]] Element make() const override {
+    all_there_.arrive_and_wait();
+    return Circle({1, 2}, -3);
   }
+
+  mutable std::latch all_there_{kThreads};
+};
+
+TEST(ElementOnDemand, ThreadsThatAskAtOnceGetTheSameOne) {
+  const ElementPtr element(std::make_shared<const CircleOfAllThreads>());
+  std::array<const Element*, kThreads> seen{};
+  std::vector<std::thread> threads;
+  for (const Element*& mine : seen) threads.emplace_back([&] { mine = element.get(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Element* const one : seen) EXPECT_EQ(one, element.get());
+  EXPECT_EQ(*element, Element(Circle({1, 2}, -3)));
 }
 
 TEST(ElementPtr, IsEqualWhereOneIsSharedNotWhereTwoAreAlike) {
