@@ -38,7 +38,7 @@ struct TapeFault {
 
 /// The program that lies on a tape.
 struct DecodedTape {
-  static constexpr std::size_t kMostFaults = 1000;
+  static constexpr std::size_t kMostFaults = 100;
 
   std::string text;               ///< UTF-8, lines end in LF; every damaged row is one U+FFFD
   std::string header;             ///< read back from the lettering

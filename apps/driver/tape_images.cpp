@@ -20,6 +20,19 @@ std::string extension_of(const std::string& name) {
   return extension;
 }
 
+/// The kind of a drawing, by its beginning: someone's PNG of a tape, say.
+std::optional<std::string_view> drawing_in(std::string_view bytes) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kBeginnings = {
+      {{"\x89PNG\r\n", "PNG"},
+       {"<svg", "SVG"},
+       {"<?xml", "SVG"},
+       {"%PDF-", "PDF"},
+       {"\xFF\xD8\xFF", "JPEG"}}};
+  for (const auto& [beginning, kind] : kBeginnings)
+    if (bytes.starts_with(beginning)) return kind;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TapeForm> tape_form_of(const std::string& name) {
@@ -35,6 +48,11 @@ std::optional<TapeForm> tape_form_of(const std::string& name) {
 
 TapeImage read_tape_image(const std::string& name, std::string_view bytes) {
   TapeImage image;
+  if (const auto kind = drawing_in(bytes)) {
+    image.file = std::make_shared<const SourceFile>(name, "", Encoding::Utf8);
+    image.bag.add({Message::DrawingOfTape, {image.file.get(), 0, 0}, {std::string(*kind)}});
+    return image;
+  }
   if (!is_picture(bytes)) {
     image.tape.rows.assign(bytes.begin(), bytes.end());
     return image;

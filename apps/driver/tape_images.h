@@ -25,10 +25,11 @@ enum class TapeForm : std::uint8_t {
 /// By the extension: `.tap`, `.txt`, `.svg`, `.png`.
 [[nodiscard]] std::optional<TapeForm> tape_form_of(const std::string& name);
 
-/// A tape file: rows, or a picture of them, as its beginning tells.
+/// A tape file: rows, or a picture of them, as its beginning tells. Drawings (PNG, SVG) are told
+/// from tapes and refused.
 struct TapeImage {
   Tape tape;
-  std::shared_ptr<const SourceFile> file;  ///< of a picture
+  std::shared_ptr<const SourceFile> file;  ///< of a picture or a drawing
   DiagnosticBag bag;                       ///< points into `file`; with errors there is no tape
 };
 [[nodiscard]] TapeImage read_tape_image(const std::string& name, std::string_view bytes);

@@ -261,6 +261,22 @@ TEST(DgtTape, ALineThatIsNoRowIsShown) {
             "hole [DGT2013]\n|o o .o o|\n^~~~~~~~~~\n");
 }
 
+TEST(DgtTape, ADrawingOfATapeIsToldFromATape) {
+  const Bench bench;
+  bench.folder.write("a.ess", "+100+200\n");
+  for (const std::string form : {"png", "svg"}) {
+    const std::string drawing = "a." + form;
+    ASSERT_EQ(bench.tape({"encode", "a.ess", "-o", drawing}).exit_code, kDone);
+    const Outcome outcome = bench.tape({"decode", drawing});
+    EXPECT_EQ(outcome.exit_code, kInputErrors);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_EQ(outcome.err,
+              drawing + ":1:1: error: this is a drawing (" + (form == "png" ? "PNG" : "SVG") +
+                  "), which nothing reads back as a tape; a tape is rows ('.tap') or a "
+                  "picture in letters ('.txt') [DGT2017]\n\n^\n");
+  }
+}
+
 TEST(DgtTape, VerifyComparesWithAProgramAndWithATape) {
   const Bench bench;
   bench.encode(kProgram, "a.tap");
