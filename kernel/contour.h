@@ -107,6 +107,8 @@ struct ContourOptions {
   /// with a notice. Default 0.001: a tenth of what a wire machine can show.
   Rational join_tolerance = Rational(1, 1000);
   GougePolicy gouge = GougePolicy::Error;
+  /// A gouge of at most this, in mm, is none. Default 0; programs that were rounded gouge by that.
+  Rational gouge_tolerance = 0;
   CornerStyle corner = CornerStyle::Extend;
   /// How far from a programmed corner an extended one may lie, in multiples of the offset: beyond
   /// it Extend gives a notice and Chamfer cuts across. ≥ 1. 4 is a corner of 29°, and as far as

@@ -49,13 +49,14 @@ Rational scale_of(const ContourLegs& part, const ContourLegs& legs) {
   return part.steps[i] / legs.steps[i];
 }
 
-/// Near misses were joined within their tolerance: the tool is nearer by that much there.
-Rational joined_gap(const BuiltContour& out) {
+/// Near misses were joined within their tolerance: the tool is nearer by that much there. To that
+/// comes what the options allow.
+Rational allowed_gouge(const BuiltContour& out, const ContourOptions& options) {
   double gap = 0;  // its rounding is far below the resolution
   for (const ContourNotice& notice : out.notices) {
     if (notice.kind == ContourNotice::Kind::JoinedGap) gap = std::max(gap, notice.measure);
   }
-  return Rational(gap);
+  return Rational(gap) + options.gouge_tolerance;
 }
 
 /// The largest offset with which the tool, on its way between the two items, cuts into neither.
@@ -108,14 +109,15 @@ ContourLegs stretch_of(const ContourLegs& legs, const ContourFault& f) {
   return part;
 }
 
-Walls walls_of(const ContourLegs& legs, const Path& programmed, const BuiltContour& out) {
-  return {cut_of(legs, out.programmed, programmed.leg_of_move), joined_gap(out)};
+Walls walls_of(const ContourLegs& legs, const Path& programmed, const ContourOptions& options,
+               const BuiltContour& out) {
+  return {cut_of(legs, out.programmed, programmed.leg_of_move), allowed_gouge(out, options)};
 }
 
 void check_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
                   const Path& programmed, const Path& equidistant, BuiltContour& out) {
-  const Rational tolerance = joined_gap(out);
-  const Walls contour = walls_of(legs, programmed, out);
+  const Rational tolerance = allowed_gouge(out, options);
+  const Walls contour = walls_of(legs, programmed, options, out);
   const std::vector<CutPiece> path = cut_of(legs, out.moves, equidistant.leg_of_move);
   std::vector<Gouge> gouges = find_gouges(path, contour);
   if (gouges.size() > kMaxGouges) gouges.resize(kMaxGouges);

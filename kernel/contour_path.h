@@ -82,7 +82,7 @@ void check_gouges(const ContourLegs& legs, int side, const ContourOptions& optio
 
 /// The programmed contour as the gouge check sees it.
 [[nodiscard]] Walls walls_of(const ContourLegs& legs, const Path& programmed,
-                             const BuiltContour& out);
+                             const ContourOptions& options, const BuiltContour& out);
 
 /// Takes the loops that gouge out of the equidistant: moves, notices and `end`, where the tool
 /// ends, replace what was built. Adds a fault and returns false where that is no answer.

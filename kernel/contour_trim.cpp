@@ -519,7 +519,7 @@ class Trim {
 bool trim_gouges(const ContourLegs& legs, int side, const ContourOptions& options,
                  const Path& programmed, BuiltContour& out, Point& end) {
   const Shifts shifts = shifts_for(legs, side);
-  const Walls walls = walls_of(legs, programmed, out);
+  const Walls walls = walls_of(legs, programmed, options, out);
   Trim trim(legs, shifts, options, walls);
   auto moves = trim.run();
   if (!moves) {

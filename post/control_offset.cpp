@@ -4,26 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+
+#include "post/control_entry.h"
 
 namespace dgt {
 namespace {
 
 using FaultKind = WriteFault::Kind;
 
-/// A corner of less, in radians, costs the part under a millionth of the offset.
-constexpr double kSmoothAngle = 1e-3;
-
+/// Of travel, where a cut begins.
 struct Direction {
   double x = 0;
   double y = 0;
-
-  [[nodiscard]] double angle_to(const Direction& other) const {
-    return std::atan2(x * other.y - y * other.x, x * other.x + y * other.y);
-  }
 };
-
-/// Of travel, at the beginning or the end of a cut.
-Direction direction_of(const Move& m, bool at_end) {
+Direction direction_of(const Move& m) {
   if (m.kind == MoveKind::Line) {
     const double dx = m.to.x() - m.from.x();
     const double dy = m.to.y() - m.from.y();
@@ -31,32 +26,66 @@ Direction direction_of(const Move& m, bool at_end) {
     return length > 0 ? Direction{dx / length, dy / length} : Direction{};
   }
   const Circle circle = m.circle();
-  const Point& at = at_end ? m.to : m.from;
-  const double x = at.x() - nearest_double(circle.centre().x);
-  const double y = at.y() - nearest_double(circle.centre().y);
+  const double x = m.from.x() - nearest_double(circle.centre().x);
+  const double y = m.from.y() - nearest_double(circle.centre().y);
   const double radius = std::hypot(x, y);
   const double sense = circle.counter_clockwise() ? 1 : -1;
   return {-sense * y / radius, sense * x / radius};
 }
 
+/// Of the contour's own cuts: those along its elements.
+bool is_along(const Move& move) { return move.cuts() && is_part(move) && move.carrier.base; }
+
 /// The cuts of one contour that matter, as places in its moves.
 struct Parts {
-  std::optional<std::size_t> lead;   ///< the last cut before the contour
+  std::optional<std::size_t> lead;   ///< the last move before the contour
   std::optional<std::size_t> first;  ///< of the contour itself
   std::size_t last = 0;
 };
 Parts parts_of(std::span<const Move> moves) {
   Parts parts;
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (!moves[i].cuts()) continue;
-    if (is_part(moves[i])) {
+    if (is_along(moves[i])) {
       if (!parts.first) parts.first = i;
       parts.last = i;
-    } else if (!parts.first) {
+    } else if (moves[i].travels() && !parts.first) {
       parts.lead = i;
     }
   }
   return parts;
+}
+
+/// The elements a path runs along, one after the other.
+std::vector<const Element*> elements_of(std::span<const Move> moves) {
+  std::vector<const Element*> elements;
+  for (const Move& move : moves)
+    if (is_along(move) && move.role != Role::Corner) elements.push_back(move.carrier.base.get());
+  return elements;
+}
+
+/// Whether the contour runs along some lines and against others: the offset of an element lies on
+/// one side of it, and that of a control on one side of the travel.
+bool changes_side(std::span<const Move> moves) {
+  bool along = false;
+  bool against = false;
+  for (const Move& move : moves) {
+    if (!is_along(move)) continue;
+    const auto* const line = std::get_if<Line>(move.carrier.base.get());
+    const Direction way = direction_of(move);
+    const bool backwards =
+        line != nullptr && way.x * nearest_double(line->direction().x()) +
+                                   way.y * nearest_double(line->direction().y()) <
+                               0;
+    (backwards ? against : along) = true;
+  }
+  return along && against;
+}
+
+/// Whether a straight cut from point to point, which no offset moves, stands within the contour.
+bool has_points_within(std::span<const Move> moves, const Parts& parts) {
+  return std::any_of(moves.begin() + static_cast<std::ptrdiff_t>(*parts.first),
+                     moves.begin() + static_cast<std::ptrdiff_t>(parts.last),
+                     [](const Move& m) { return m.travels() && !is_along(m); });
 }
 
 /// Whether all elements are offset by the contour's own offset.
@@ -117,77 +146,110 @@ class Controller {
       fault(FaultKind::KerfImpossible, contour);
       return false;
     }
-    const auto moves = programmed_moves(path_, contour);
-    const Parts parts = parts_of(moves);
-    const auto overlap = judge(contour, parts);
-    if (!overlap) return true;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (i == *parts.lead)
-        say(is_left(contour) ? dialect_.kerf.left : dialect_.kerf.right, contour);
-      add(moves[i]);
+    const auto programmed = programmed_moves(path_, contour);
+    const auto moved = moves_of(path_, contour);
+    if (!check(contour, programmed, moved)) return true;
+    const Parts parts = parts_of(programmed);
+    const Parts moved_parts = parts_of(moved);
+    const Move& first = programmed[*parts.first];
+    const Move& beside = moved[*moved_parts.first];
+    const Move& last = moved[moved_parts.last];
+    const bool left = is_left(first, beside);
+    const bool goes_round =
+        last.role == Role::Corner ||
+        (dialect_.kerf.rounds_corners && programmed[parts.last].to == first.from &&
+         begins_out(programmed[parts.last], first, beside));
+    const auto entry = control_entry(
+        {path_, contour, programmed[*parts.lead].from,
+         goes_round ? beside_beginning(first, contour, left) : beside.from, first, last, left},
+        dialect_);
+    if (!entry) {
+      fault(entry.error().kind, contour, entry.error().measure, entry.error().limit);
+      return true;
+    }
+    for (std::size_t i = 0; i < programmed.size(); ++i) {
+      if (i == *parts.lead) say(left ? dialect_.kerf.left : dialect_.kerf.right, contour);
+      Move move = programmed[i];
+      if (i == *parts.lead) move.to = *entry;
+      // Round an outer corner where the contour begins there is nothing to cut: the tool touches it
+      // at both its ends.
+      if (i == parts.last && !goes_round) move.to = foot_on(move, last.to, move.to);
+      if (i == *parts.first) {
+        add_first(std::move(move), *entry);
+      } else {
+        add(move);
+      }
       if (i != parts.last) continue;
-      if (*overlap > 0) add_overlap(moves[*parts.first], moves[parts.last], *overlap);
       say(dialect_.kerf.off, contour);
     }
     return true;
   }
 
-  /// How far to cut on behind the end; nothing when the control cannot do the contour.
-  std::optional<double> judge(const Contour& contour, const Parts& parts) {
-    const auto moves = programmed_moves(path_, contour);
-    const double offset = std::fabs(nearest_double(contour.offset));
-    const auto refuse = [&](FaultKind kind, double measure = 0, double limit = 0) {
-      fault(kind, contour, measure, limit);
-      return std::nullopt;
+  /// Whether the control would offset the contour at all as it was offset here.
+  bool check(const Contour& contour, std::span<const Move> programmed,
+             std::span<const Move> moved) {
+    const Parts parts = parts_of(programmed);
+    const auto refuse = [&](FaultKind kind) {
+      fault(kind, contour);
+      return false;
     };
     if (!is_offset_evenly(contour, path_.moves)) return refuse(FaultKind::OffsetsDiffer);
-    if (!parts.first || !parts.lead || moves[*parts.lead].kind != MoveKind::Line)
+    if (!parts.first || !parts.lead || programmed[*parts.lead].kind == MoveKind::Arc)
       return refuse(FaultKind::LeadLacking);
-    const Move& lead = moves[*parts.lead];
-    const double length = std::hypot(lead.to.x() - lead.from.x(), lead.to.y() - lead.from.y());
-    // One unit more, for both are rounded.
-    const double needed = offset + nearest_double(dialect_.unit);
-    if (!(length > needed)) return refuse(FaultKind::LeadTooShort, length, offset);
-    const Move& first = moves[*parts.first];
-    const double towards_tool = is_left(contour) ? 1 : -1;
-    const Direction begin = direction_of(first, false);
-    const double corner = towards_tool * direction_of(moves[parts.last], true).angle_to(begin);
-    if (contour.closed && corner > kSmoothAngle) return refuse(FaultKind::BeginsInCorner);
-    const double turn = towards_tool * direction_of(lead, true).angle_to(begin);
-    if (turn < kSmoothAngle) return 0;
-    const double missed = offset * std::tan(turn / 2) + nearest_double(dialect_.unit);
-    const double room = std::hypot(first.to.x() - first.from.x(), first.to.y() - first.from.y());
-    if (!contour.closed || first.kind != MoveKind::Line || !(missed < room))
-      return refuse(FaultKind::OverlapLacking, missed);
-    return missed;
+    if (has_points_within(programmed, parts)) return refuse(FaultKind::PointsInContour);
+    if (elements_of(programmed) != elements_of(moved)) return refuse(FaultKind::ContourTrimmed);
+    if (changes_side(programmed)) return refuse(FaultKind::SideChanges);
+    if (takes_offset_from_settings() && offset_ != nullptr && *offset_ != abs(contour.offset))
+      return refuse(FaultKind::OffsetsVary);
+    offset_ = shared(abs(contour.offset));
+    return true;
   }
 
   /// Seen along the travel, which may run against the elements.
-  bool is_left(const Contour& contour) const {
-    const auto programmed = programmed_moves(path_, contour);
-    const Parts parts = parts_of(programmed);
-    const auto moved = moves_of(path_, contour);
-    const Parts moved_parts = parts_of(moved);
-    if (!parts.first || !moved_parts.first) return contour.side == Side::Left;
-    const Move& first = programmed[*parts.first];
-    const Move& beside = moved[*moved_parts.first];
-    const Direction along = direction_of(first, false);
+  static bool is_left(const Move& first, const Move& beside) {
+    const Direction along = direction_of(first);
     return along.x * (beside.from.y() - first.from.y()) -
                along.y * (beside.from.x() - first.from.x()) >
            0;
   }
 
-  void add_overlap(const Move& first, const Move& last, double length) {
-    const Direction along = direction_of(first, false);
-    Move m = last;
-    m.kind = MoveKind::Line;
-    m.full_circle = false;
-    m.carrier = {};
-    m.z = nullptr;
-    m.from = last.to;
-    m.to = Point(RationalPoint{Rational(last.to.x() + along.x * length),
-                               Rational(last.to.y() + along.y * length)});
-    add(m);
+  /// Whether the equidistant begins at an outer corner, where it is prolonged.
+  static bool begins_out(const Move& last, const Move& first, const Move& beside) {
+    if (last.carrier.base == first.carrier.base) return false;
+    const Point foot = foot_on(first, beside.from, first.from);
+    const Direction along = direction_of(first);
+    return along.x * (first.from.x() - foot.x()) + along.y * (first.from.y() - foot.y()) > 0;
+  }
+  static Point beside_beginning(const Move& first, const Contour& contour, bool left) {
+    const Direction along = direction_of(first);
+    const double offset = std::fabs(nearest_double(contour.offset)) * (left ? 1 : -1);
+    return Point(RationalPoint{Rational(first.from.x() - along.y * offset),
+                               Rational(first.from.y() + along.x * offset)});
+  }
+
+  /// The first element from where the lead ends, which may lie before its beginning. An arc that
+  /// has come near to a full turn is told in two, or it might pass one.
+  void add_first(Move move, const Point& from) {
+    constexpr double kLongSweep = 180;  // and what comes in before is a quarter turn at most
+    const Point began = move.from;
+    move.from = from;
+    if (move.kind == MoveKind::Line || from == began ||
+        (!move.full_circle && at_most(move, began, kLongSweep)))
+      return add(move);
+    const Point to = move.to;
+    const RationalPoint centre = move.circle().centre();
+    const RationalPoint opposite =
+        2 * centre - RationalPoint{Rational(began.x()), Rational(began.y())};
+    move.full_circle = false;
+    move.to = Point(opposite);
+    add(move);
+    move.from = move.to;
+    move.to = to;
+    add(move);
+  }
+  static bool at_most(Move arc, const Point& from, double degrees) {
+    arc.from = from;
+    return std::fabs(sweep_degrees(arc)) <= degrees;
   }
 
   void say(const std::vector<std::string>& words, const Contour& contour) {
@@ -201,8 +263,15 @@ class Controller {
     }
   }
 
+  /// No word of the program says how wide the kerf is.
+  bool takes_offset_from_settings() const {
+    return std::none_of(dialect_.kerf.left.begin(), dialect_.kerf.left.end(),
+                        [](const std::string& line) { return line.find('{') != line.npos; });
+  }
+
   const Toolpath& path_;
   const Dialect& dialect_;
+  RationalPtr offset_;  ///< of the contours so far
   ControlledPath made_;
 };
 

@@ -70,13 +70,22 @@ struct LineNumbers {
   int step = 10;
 };
 
-/// The words by which a control offsets the contour itself. In them stand for lengths in mm:
-/// `{offset}`, how far the tool runs beside the contour; `{width}`, twice that; `{units}`, the
-/// width in whole units.
+/// Where a control stands at the end of the straight cut on which it comes to its offset.
+enum class KerfEntry : std::uint8_t {
+  Meets,   ///< where the offsets of that cut and of the next element meet (LinuxCNC)
+  Beside,  ///< beside the beginning of the next element, along its normal (Fanuc)
+  Either   ///< nobody has said: programs have to be right both ways
+};
+
+/// The words by which a control offsets the contour itself, and how it does. In the words stand for
+/// lengths in mm: `{offset}`, how far the tool runs beside the contour; `{width}`, twice that;
+/// `{units}`, the width in whole units.
 struct KerfWords {
   std::vector<std::string> left;
   std::vector<std::string> right;
   std::vector<std::string> off;
+  KerfEntry entry = KerfEntry::Either;
+  bool rounds_corners = false;  ///< outer ones, by an arc; else it prolongs the elements
 
   [[nodiscard]] bool exist() const { return !left.empty() && !right.empty(); }
 };

@@ -258,6 +258,17 @@ constexpr std::array kRules{
     Rule{{"kerf.left", kWords}, kerf<&KerfWords::left>},
     Rule{{"kerf.right", kWords}, kerf<&KerfWords::right>},
     Rule{{"kerf.off", kWords}, kerf<&KerfWords::off>},
+    Rule{{"kerf.entry", "meets|beside|either"},
+         [](Dialect& d, const Entry& e) {
+           return choose(d.kerf.entry, e,
+                         {{"meets", KerfEntry::Meets},
+                          {"beside", KerfEntry::Beside},
+                          {"either", KerfEntry::Either}});
+         }},
+    Rule{{"kerf.corners", "extend|round"},
+         [](Dialect& d, const Entry& e) {
+           return choose(d.kerf.rounds_corners, e, {{"extend", false}, {"round", true}});
+         }},
 };
 
 constexpr SettingKey kBase{"base", "the name of a dialect"};

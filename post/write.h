@@ -22,12 +22,17 @@ struct WriteFault {
     BeyondLargest,     ///< a number of the block passes Dialect::largest
     LineTooLong,       ///< the block passes Dialect::longest_line
     // Of an offset by the control (post/control_offset.h); `move` is the contour's first:
-    KerfImpossible,  ///< the dialect has no words for it
-    LeadLacking,     ///< no straight cut leads to the contour
-    LeadTooShort,    ///< it is `measure` long, `limit` at most
-    OffsetsDiffer,   ///< U within the contour
-    BeginsInCorner,  ///< in one the tool cuts from inside
-    OverlapLacking   ///< `measure` of the first element would stay uncut
+    KerfImpossible,   ///< the dialect has no words for it
+    LeadLacking,      ///< no straight move leads to the contour
+    LeadTooShort,     ///< it is `measure` long, and has to be longer than `limit`
+    OffsetsDiffer,    ///< U within the contour
+    PointsInContour,  ///< a straight cut between points within it, which W does not move
+    ContourTrimmed,   ///< elements of it are left out of the equidistant
+    SideChanges,      ///< it runs along some of its elements and against others
+    OffsetsVary,      ///< from contour to contour, and the control has one in its settings
+    EntryMissed,      ///< no straight cut from where the lead begins comes to the offset there
+    EntryUnknown,     ///< nobody has said how the control comes to its offset: KerfEntry::Either
+    BeginsInCorner    ///< likewise, and one of the ways cuts into the part
   };
   Kind kind = Kind::UnknownCode;
   std::size_t move = 0;  ///< index into Toolpath::moves; their number: the start

@@ -6,6 +6,7 @@
 #include "apps/cli/stage.h"
 #include "apps/cli/verbs.h"
 #include "apps/driver/certificate.h"
+#include "apps/driver/control_proof.h"
 #include "apps/driver/nc_files.h"
 
 namespace dgt::cli {
@@ -56,7 +57,8 @@ ExitCode run(const VerifyOptions& options, const Console& console) {
   }
   const auto settings = settings_of(options, console);
   if (!settings) return settings.error();
-  const auto program = load(request.file, request.source, as_its_control(*settings), console);
+  const SourceSettings reading = as_its_control(*settings);
+  const auto program = load(request.file, request.source, reading, console);
   if (!program) return program.error();
   const SourceOptions other = of_the_other(request.source);
   SourceSettings source = settings->source;
@@ -67,7 +69,8 @@ ExitCode run(const VerifyOptions& options, const Console& console) {
   if (options.tolerance) limits.deviation = *parse_decimal(*options.tolerance);
   const Certificate proof = [&] {
     Stage stage(console, Text::StageProving, request.file);
-    return verify(*program, *against, settings->dialect.name, limits, stage.on_progress());
+    return prove({request.file, *program, reading}, {options.against, *against, source},
+                 settings->dialect, limits, stage.on_progress());
   }();
   const ExitCode code = write_result(
       request.output, options.json ? to_json(proof) : to_text(proof, console.language()), console);

@@ -27,6 +27,11 @@ struct Words {
   const char* position;
   const char* drift;
   const char* moves;
+  const char* by_control;
+  const char* meets;
+  const char* beside;
+  const char* moved;
+  const char* both;
   const char* closure;
   const char* gouges;
   const char* no_gouges;
@@ -46,6 +51,13 @@ constexpr Words kEnglish = {
     "  position   at most X {} (line {}), Y {} (line {}) mm at every stop (allowed {})\n",
     "  drift      at most X {}, Y {} mm at the end\n",
     "  moves      {} compared, {} of them too small to be written\n",
+    "  offset     {} contours by the control, which goes {}; at most {} mm off at every stop (line "
+    "{}, "
+    "allowed {})\n",
+    "to where the offsets of lead and contour meet",
+    "beside the beginning of the contour",
+    "where the contour begins when all of it is moved",
+    "to where the offsets of lead and contour meet, or beside the beginning",
     "  closed     {} contours, {} of them open as written\n",
     "  gouges     {} contours with an offset, {} gouges; beyond the distance above none is "
     "possible\n",
@@ -64,6 +76,13 @@ constexpr Words kRussian = {
     "  положение   не больше X {} (строка {}), Y {} (строка {}) мм в каждой точке (допустимо {})\n",
     "  накопление  не больше X {}, Y {} мм в конце\n",
     "  перемещения сравнено {}, из них слишком малы для записи {}\n",
+    "  коррекция   контуров {}, станок выходит {}; отклонение не больше {} мм в каждой точке "
+    "(строка "
+    "{}, допустимо {})\n",
+    "туда, где сходятся эквидистанты подхода и контура",
+    "на нормаль к началу контура",
+    "в начало контура, сдвинутого целиком",
+    "туда, где сходятся эквидистанты подхода и контура, или на нормаль к началу",
     "  замкнутые   контуров {}, из них не замкнуты в записи {}\n",
     "  подрезы     контуров с эквидистантой {}, подрезов {}; сверх расстояния выше невозможны\n",
     "  подрезы     эквидистант нет\n",
@@ -192,6 +211,9 @@ class Page {
            to_short_decimal(Rational(limits.unit / 2)));
     append(words_.drift, above(proof_.drift_x), above(proof_.drift_y));
     append(words_.moves, proof_.moves, proof_.omitted);
+    if (proof_.by_control > 0)
+      append(words_.by_control, proof_.by_control, way(), above(proof_.control_error.value),
+             proof_.control_error.line, to_short_decimal(limits.deviation));
     append(words_.closure, proof_.closed, count(proof_, Kind::Open));
     if (proof_.guarded > 0) {
       append(words_.gouges, proof_.guarded, count(proof_, Kind::Gouge));
@@ -204,6 +226,19 @@ class Page {
                        proof_.mismatch.line);
     append(words_.arcs, proof_.arcs, above(proof_.mismatch.value),
            to_short_decimal(limits.radius_mismatch), at);
+  }
+
+  const char* way() const {
+    if (proof_.leads.size() > 1) return words_.both;
+    switch (proof_.leads.front()) {
+      case KerfLead::Meets:
+        return words_.meets;
+      case KerfLead::Beside:
+        return words_.beside;
+      case KerfLead::Moved:
+        break;
+    }
+    return words_.moved;
   }
 
   const Certificate& proof_;
@@ -225,6 +260,15 @@ Json lines(std::uint32_t first, std::uint32_t last) {
 Json place(const Certificate& proof, const SourcePlace& source) {
   if (source.line == 0) return nullptr;
   return {{"file", file_of(proof, source)}, {"line", source.line}, {"column", source.column}};
+}
+
+Json leads(const Certificate& proof) {
+  Json all = Json::array();
+  for (const KerfLead lead : proof.leads)
+    all.push_back(lead == KerfLead::Meets    ? "meets"
+                  : lead == KerfLead::Beside ? "beside"
+                                             : "moved");
+  return all;
 }
 
 Json faults(const Certificate& proof) {
@@ -289,6 +333,12 @@ std::string to_json(const Certificate& proof) {
         {"line_x", proof.error_x.line},
         {"line_y", proof.error_y.line}}},
       {"drift", {bound(proof.drift_x), bound(proof.drift_y)}},
+      {"control",
+       {{"contours", proof.by_control},
+        {"leads", leads(proof)},
+        {"stops", bound(proof.control_error.value)},
+        {"limit", nearest_double(limits.deviation)},
+        {"line", proof.control_error.line}}},
       {"closure", {{"contours", proof.closed}, {"open", count(proof, Kind::Open)}}},
       {"gouges", {{"contours", proof.guarded}, {"found", count(proof, Kind::Gouge)}}},
       {"arcs",

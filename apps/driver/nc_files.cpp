@@ -23,7 +23,17 @@ SourceSettings as_its_control(const Settings& settings) {
     source.essi.dialect = EssiDialect::Iso;
     if (!dialect.plus_is_ccw) source.essi.iso_plus = RotationSense::Clockwise;
   }
+  if (dialect.kerf.rounds_corners) source.evaluate.corner = CornerStyle::Round;
+  if (dialect.kerf.exist() && dialect.kerf.entry != KerfEntry::Either) {
+    const bool meets = dialect.kerf.entry == KerfEntry::Meets;
+    set_kerf_lead(source, meets ? KerfLead::Meets : KerfLead::Beside);
+  }
   return source;
+}
+
+void set_kerf_lead(SourceSettings& source, KerfLead lead) {
+  source.essi.nc.kerf_lead = lead;
+  source.gcode.nc.kerf_lead = lead;
 }
 
 }  // namespace dgt

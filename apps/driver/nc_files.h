@@ -13,7 +13,11 @@ namespace dgt {
 [[nodiscard]] InputLanguage language_of(const Dialect& dialect);
 
 /// The settings with which a program of `settings.dialect` is read: it counts in the units of its
-/// control. The language stays as it is set.
+/// control, which comes to its offset and goes round corners in its own way, where that is known.
+/// The language stays as it is set.
 [[nodiscard]] SourceSettings as_its_control(const Settings& settings);
+
+/// For programs in every language.
+void set_kerf_lead(SourceSettings& source, KerfLead lead);
 
 }  // namespace dgt

@@ -43,6 +43,17 @@ struct State {
   double slack = 0;  ///< how far the stop lies beyond its limit, mm
 };
 
+/// How far a stop may be off on each axis.
+struct StopReach {
+  explicit StopReach(Rational most)
+      : exact(std::move(most)),
+        value(nearest_double(exact)),
+        diagonal(std::nextafter(value * std::sqrt(2.0), 2 * value)) {}
+  Rational exact;
+  double value;
+  double diagonal;  ///< the corner of that box lies this far away
+};
+
 class Matcher {
  public:
   Matcher(const Toolpath& program, const Toolpath& exact, const MatchOptions& options)
@@ -51,10 +62,8 @@ class Matcher {
         options_(options),
         unit_(nearest_double(options.unit)),
         limit_(nearest_double(options.limit)),
-        half_(options.unit / 2),
-        half_double_(nearest_double(half_)),
-        // The corner of the box of half a unit lies this far away.
-        inner_limit_(std::nextafter(unit_ * std::sqrt(0.5), unit_)),
+        half_{options.unit / 2},
+        loose_{options.limit},
         written_(travelling(program.moves)),
         meant_(travelling(exact.moves)) {}
 
@@ -80,6 +89,12 @@ class Matcher {
   const Move& move(std::size_t meant) const { return exact_.moves[meant_[meant]]; }
   const Move& written(std::size_t stop) const { return program_.moves[written_[stop]]; }
 
+  const StopReach& reach() const { return reach(done_); }
+  const StopReach& reach(std::size_t meant) const {
+    const auto& led = options_.offset_by_control;
+    return !led.empty() && meant < meant_.size() && led[meant_[meant]] ? loose_ : half_;
+  }
+
   // --- where the program begins
 
   void begin() {
@@ -100,18 +115,18 @@ class Matcher {
 
   // --- stops
 
-  /// |a + shift − b| ≤ half a unit on one axis, exactly; p and q are the two in doubles.
+  /// |a + shift − b| ≤ the reach on one axis, exactly; p and q are the two in doubles.
   bool is_near_on_axis(double p, double q, const Rational& shift, const Point& a, const Point& b,
                        OneRoot ExactPoint::*axis) const {
     const double moved = sgn(shift) == 0 ? 0 : nearest_double(shift);
     const double off = std::fabs(p + moved - q);
     // Each number is the nearest to its exact value, and so is each sum.
     const double doubt = (std::fabs(p) + std::fabs(q) + std::fabs(moved)) * 0x1p-50 + 0x1p-60;
-    if (off + doubt <= half_double_) return true;
-    if (off - doubt > half_double_) return false;
+    if (off + doubt <= reach().value) return true;
+    if (off - doubt > reach().value) return false;
     const OneRoot at = a.exact().*axis + shift;
     const OneRoot meant = b.exact().*axis;
-    return compare(at, meant + half_) <= 0 && compare(at + half_, meant) >= 0;
+    return compare(at, meant + reach().exact) <= 0 && compare(at + reach().exact, meant) >= 0;
   }
 
   bool is_near(const Point& p, const Point& q, const RationalPoint& shift) const {
@@ -149,7 +164,7 @@ class Matcher {
         if (bound <= limit) states_.push_back({state.stop + k, from, state.displaced, bound, 0});
         if (!may_go_on(state.stop + k, meant.to)) return;
       }
-      const auto next = stop_beside(curve.to, spot, inner_limit_);
+      const auto next = stop_beside(curve.to, spot, reach().diagonal);
       if (!next) return;
       worst = std::max(worst, frechet_bound(curve, part(curve_, spot, *next)));
       if (!(worst <= limit)) return;
@@ -233,7 +248,7 @@ class Matcher {
       weigh(reading, state, curve, piece.kind == move(done_).kind && k == 1 ? 0 : 0.25, best);
       const auto next = stop_beside(curve.to, spot, kFarUnits * unit_);
       if (!next) return;
-      if (reading.first_off == 0 && distance_bound(curve.to, next->at) > inner_limit_)
+      if (reading.first_off == 0 && distance_bound(curve.to, next->at) > reach().diagonal)
         reading.first_off = k;
       worst = std::max(worst, frechet_bound(curve, part(curve_, spot, *next)));
       spot = *next;
@@ -304,7 +319,7 @@ class Matcher {
     while (last > state.stop) {
       const BallPlace at = place_of(stop_of(last)) + shift;
       const auto beside = foot(curve_, at);
-      if (!beside || distance_bound(at, *beside) > inner_limit_) return last;
+      if (!beside || distance_bound(at, *beside) > reach().diagonal) return last;
       --last;
     }
     std::size_t s = reading.from;
@@ -392,8 +407,8 @@ class Matcher {
       one.error_x = error_bound(off.x);
       one.error_y = error_bound(off.y);
       if (state.displaced == 0 && state.slack == 0) {  // decided exactly already
-        one.error_x = std::min(one.error_x, half_double_);
-        one.error_y = std::min(one.error_y, half_double_);
+        one.error_x = std::min(one.error_x, reach(m - 1).value);
+        one.error_y = std::min(one.error_y, reach(m - 1).value);
       }
       s = state.before;
     }
@@ -409,9 +424,8 @@ class Matcher {
   const MatchOptions& options_;
   const double unit_;
   const double limit_;
-  const Rational half_;
-  const double half_double_;
-  const double inner_limit_;
+  const StopReach half_;
+  const StopReach loose_;
   const std::vector<std::size_t> written_;
   const std::vector<std::size_t> meant_;
 

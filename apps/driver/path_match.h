@@ -23,6 +23,10 @@ struct MatchOptions {
   /// False when the program does not tell cuts from rapids.
   bool tells_cuts = true;
   OnProgress on_progress;  ///< of the exact path's moves
+  /// Moves of the exact path that a control offsets, by their indices; empty: none. The program has
+  /// their contour, whose stops lie within half a unit, and how far those beside it are off depends
+  /// on the corners; they may lie `limit` off on each axis.
+  std::vector<bool> offset_by_control{};
 };
 
 /// One move of the exact path and what runs it.

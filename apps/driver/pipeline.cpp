@@ -53,12 +53,19 @@ void compile_dxf(Compilation& made, const SourceSettings& settings) {
   made.bag.sort();
 }
 
-void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& evaluate) {
+bool has_kerf(const NcProgram& program) {
+  return std::ranges::any_of(program.kerf,
+                             [](const KerfSwitch& kerf) { return kerf.side != Side::None; });
+}
+
+void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& evaluate,
+               KerfLead lead = KerfLead::Moved) {
   if (!made.bag.has_errors()) {
     made.arcs = std::move(program.arcs);
     made.placed_by = program.placed_by;
     const ContourOptions options = contour_options(evaluate);
-    Toolpath path = with_kerf(*made.file, std::move(program), options, made.bag);
+    made.has_kerf = has_kerf(program);
+    Toolpath path = with_kerf(*made.file, std::move(program), options, made.bag, lead);
     if (!made.bag.has_errors()) made.result.path = std::move(path);
   }
   made.bag.sort();
@@ -67,11 +74,13 @@ void finish_nc(Compilation& made, NcProgram program, const EvaluateOptions& eval
 void compile_essi(Compilation& made, const SourceSettings& settings, EssiDialect dialect) {
   EssiOptions options = settings.essi;
   options.dialect = dialect;
-  finish_nc(made, read_essi(*made.file, options, made.bag), settings.evaluate);
+  finish_nc(made, read_essi(*made.file, options, made.bag), settings.evaluate,
+            options.nc.kerf_lead);
 }
 
 void compile_gcode(Compilation& made, const SourceSettings& settings) {
-  finish_nc(made, read_gcode(*made.file, settings.gcode, made.bag), settings.evaluate);
+  finish_nc(made, read_gcode(*made.file, settings.gcode, made.bag), settings.evaluate,
+            settings.gcode.nc.kerf_lead);
 }
 
 void compile_three_b(Compilation& made, const SourceSettings& settings) {

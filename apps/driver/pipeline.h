@@ -42,6 +42,7 @@ struct Compilation {
   CompileResult result;
   DiagnosticBag bag;      ///< points into `file` and `result.files`
   ArcSummary arcs;        ///< of an NC program
+  bool has_kerf = false;  ///< an NC program that the control offsets
   SourcePlace placed_by;  ///< what tells where an NC program starts; line 0: nothing
 };
 

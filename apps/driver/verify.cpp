@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/driver/run_in.h"
+
 namespace dgt {
 namespace {
 
@@ -48,21 +50,32 @@ std::vector<RationalPtr> heights_before(const std::vector<Move>& moves) {
 class Verifier {
  public:
   Verifier(const Compilation& program, const Compilation& against, const std::string& dialect,
-           const VerifyLimits& limits)
+           const VerifyLimits& limits, KerfLead lead)
       : program_(program),
         against_(against),
         written_(*program.result.path),
-        exact_(*against.result.path) {
+        begun_(program.has_kerf
+                   ? with_run_ins(*against.result.path, *program.result.path, limits.unit)
+                   : Toolpath{}),
+        exact_(program.has_kerf ? begun_ : *against.result.path) {
     proof_.program = program.file->name();
     proof_.against = against.file->name();
     proof_.dialect = dialect;
     proof_.limits = limits;
     proof_.files = exact_.files;
+    if (!program.has_kerf) return;
+    proof_.leads = {lead};
+    offset_by_control_.resize(exact_.moves.size());
+    for (const Contour& contour : exact_.contours) {
+      if (contour.side == Side::None) continue;
+      for (std::size_t i = contour.first; i < contour.last; ++i) offset_by_control_[i] = true;
+    }
   }
 
   Certificate run(const OnProgress& on_progress) {
     match_ = match(written_, exact_,
-                   {proof_.limits.unit, proof_.limits.deviation, tells_cuts(), on_progress});
+                   {proof_.limits.unit, proof_.limits.deviation, tells_cuts(), on_progress,
+                    offset_by_control_});
     proof_.is_complete = match_.is_complete;
     take_faults();
     take_rows();
@@ -128,12 +141,20 @@ class Verifier {
         ++proof_.omitted;
       }
       raise(proof_.deviation, row.deviation, row.last_line);
-      raise(proof_.error_x, row.error_x, row.last_line);
-      raise(proof_.error_y, row.error_y, row.last_line);
+      if (is_by_control(move.exact)) {
+        raise(proof_.control_error, std::max(row.error_x, row.error_y), row.last_line);
+      } else {
+        raise(proof_.error_x, row.error_x, row.last_line);
+        raise(proof_.error_y, row.error_y, row.last_line);
+      }
       proof_.drift_x = row.error_x;
       proof_.drift_y = row.error_y;
       proof_.rows.push_back(row);
     }
+  }
+
+  bool is_by_control(std::size_t exact) const {
+    return !offset_by_control_.empty() && offset_by_control_[exact];
   }
 
   static void raise(Peak& peak, double value, std::uint32_t line) {
@@ -180,7 +201,9 @@ class Verifier {
       const auto moves = matched(contour);
       if (moves.empty()) continue;
       check_closed(contour, moves);
-      if (contour.side != Side::None) ++proof_.guarded;
+      if (contour.side == Side::None) continue;
+      ++proof_.guarded;
+      if (program_.has_kerf) ++proof_.by_control;
     }
   }
 
@@ -201,6 +224,10 @@ class Verifier {
     const Point begin = begin_of(first);
     const Point end = end_of(last);
     if (begin == end) return;
+    // The control's own arithmetic ends there: within the deviation is all that can be asked.
+    const double gap = nearest_double(proof_.limits.deviation);
+    if (is_by_control(first.exact) && std::hypot(end.x() - begin.x(), end.y() - begin.y()) <= gap)
+      return;
     const std::uint32_t line = last.last > 0 ? line_of(last.last - 1) : 0;
     add(Kind::Open, last.exact, line, line, 0);
     VerifyFault& fault = proof_.faults.back();
@@ -263,7 +290,9 @@ class Verifier {
   const Compilation& program_;
   const Compilation& against_;
   const Toolpath& written_;
+  const Toolpath begun_;  ///< the exact path as the control begins it
   const Toolpath& exact_;
+  std::vector<bool> offset_by_control_;  ///< moves of the exact path
   PathMatch match_;
   Certificate proof_;
 };
@@ -306,8 +335,8 @@ const char* name_of(VerifyFault::Kind kind) {
 
 Certificate verify(const Compilation& program, const Compilation& against,
                    const std::string& dialect, const VerifyLimits& limits,
-                   const OnProgress& on_progress) {
-  return Verifier(program, against, dialect, limits).run(on_progress);
+                   const OnProgress& on_progress, KerfLead lead) {
+  return Verifier(program, against, dialect, limits, lead).run(on_progress);
 }
 
 }  // namespace dgt

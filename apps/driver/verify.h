@@ -71,11 +71,14 @@ struct Certificate {
   Peak error_y;
   double drift_x = 0;  ///< the distance at the last stop, an upper bound, mm
   double drift_y = 0;
-  std::size_t moves = 0;    ///< of the exact path, that travel
-  std::size_t omitted = 0;  ///< too small for the unit
-  std::size_t closed = 0;   ///< closed contours, all of which have to close exactly
-  std::size_t guarded = 0;  ///< contours with an offset, in none of which the tool may cut
-  std::size_t arcs = 0;     ///< of the program
+  std::size_t moves = 0;        ///< of the exact path, that travel
+  std::size_t omitted = 0;      ///< too small for the unit
+  std::size_t closed = 0;       ///< closed contours, all of which have to close exactly
+  std::size_t guarded = 0;      ///< contours with an offset, in none of which the tool may cut
+  std::size_t by_control = 0;   ///< of these, offset by the control
+  std::vector<KerfLead> leads;  ///< the ways in which the control may come to its offset
+  Peak control_error;           ///< of their stops, on either axis, mm
+  std::size_t arcs = 0;         ///< of the program
   Peak mismatch;
 
   struct Row {
@@ -93,8 +96,13 @@ struct Certificate {
 };
 
 /// `on_progress`: of the exact path's moves. Precondition: both have a tool path.
+///
+/// Where the program has the control offset its contours, its path is what a control makes of it
+/// (lang/nc/kerf.h), and stops of such contours may be off by the deviation: their corners amplify
+/// the rounding of the contour. `lead`: how the program was read.
 [[nodiscard]] Certificate verify(const Compilation& program, const Compilation& against,
                                  const std::string& dialect, const VerifyLimits& limits,
-                                 const OnProgress& on_progress = {});
+                                 const OnProgress& on_progress = {},
+                                 KerfLead lead = KerfLead::Moved);
 
 }  // namespace dgt

@@ -56,9 +56,19 @@ Diagnostic diagnostic_of(const WriteFault& fault, const Dialect& dialect, Range 
     case WriteFault::Kind::OffsetsDiffer:
       return {Message::OffsetsDiffer, range, {}};
     case WriteFault::Kind::BeginsInCorner:
-      return {Message::BeginsInCorner, range, {}};
-    case WriteFault::Kind::OverlapLacking:
-      return {Message::OverlapLacking, range, {millimetres(fault.measure)}};
+      return {Message::BeginsInCorner, range, {dialect.name}};
+    case WriteFault::Kind::PointsInContour:
+      return {Message::PointsInContour, range, {}};
+    case WriteFault::Kind::ContourTrimmed:
+      return {Message::ContourTrimmed, range, {}};
+    case WriteFault::Kind::SideChanges:
+      return {Message::SideChanges, range, {}};
+    case WriteFault::Kind::OffsetsVary:
+      return {Message::OffsetsVary, range, {dialect.name}};
+    case WriteFault::Kind::EntryMissed:
+      return {Message::EntryMissed, range, {}};
+    case WriteFault::Kind::EntryUnknown:
+      return {Message::EntryUnknown, range, {dialect.name}};
     case WriteFault::Kind::MoveAfterEnd:
       break;
   }

@@ -66,7 +66,9 @@ class GcodeReader {
       }
     }
     report_arcs();
-    return path_.finish();
+    NcProgram program = path_.finish();
+    program.step = std::move(step_);
+    return program;
   }
 
  private:
@@ -275,7 +277,17 @@ class GcodeReader {
     }
   }
 
-  Length coordinate(char letter) { return length_of(use(letter), unit_, text_); }
+  Length coordinate(char letter) {
+    const Decimal& number = use(letter);
+    if (number.decimals > finest_) note_step(number.decimals);
+    return length_of(number, unit_, text_);
+  }
+  /// The finest number of a program tells its grid. Whole numbers tell nothing.
+  void note_step(std::uint32_t decimals) {
+    finest_ = decimals;
+    step_ = unit_ == LengthUnit::Inch ? Rational(127, 5) : Rational(1);
+    for (std::uint32_t i = 0; i < decimals; ++i) step_ /= 10;
+  }
 
   // --- motion
 
@@ -437,6 +449,8 @@ class GcodeReader {
   bool is_height_known_ = false;
   bool is_placed_ = false;  ///< it is known where the program starts
   std::optional<Rational> kerf_;
+  std::uint32_t finest_ = 0;  ///< decimals of a coordinate so far
+  Rational step_;
   bool has_feed_ = false;
   Decimal feed_word_;  ///< the last F, which programs repeat in every block
   LengthUnit feed_unit_ = LengthUnit::Millimetre;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lang/nc/kerf.h"
 
+#include <optional>
 #include <utility>
 
 #include "lang/nc/kerf_messages.h"
+#include "lang/nc/kerf_run.h"
 #include "lang/nc/path_builder.h"
 
 namespace dgt {
@@ -25,19 +27,24 @@ bool are_same(const KerfSwitch* a, const KerfSwitch* b) {
   return a->side == b->side && a->offset == b->offset;
 }
 
-Side opposite(Side side) { return side == Side::Left ? Side::Right : Side::Left; }
+/// What rounding does to a program, in steps of its numbers: its places and those that the tool is
+/// held against are off by up to 0.71 each, and its arcs by somewhat more in their middle.
+constexpr int kRoundedGouge = 2;
 
 class KerfPath {
  public:
   KerfPath(const SourceFile& file, NcProgram& program, const ContourOptions& options,
-           DiagnosticBag& bag)
+           DiagnosticBag& bag, KerfLead lead)
       : program_(program),
+        lead_(lead),
         moves_(program.path.moves),
         options_(options),
         bag_(bag),
         messages_(file, program, bag) {
     out_.files = program.path.files;
     out_.start = program.path.start;
+    at_ = Point(out_.start);
+    options_.gouge_tolerance += kRoundedGouge * program.step;
   }
 
   Toolpath run() {
@@ -122,15 +129,24 @@ class KerfPath {
       append(programmed, nullptr, is_first, run);
       return;
     }
-    const bool flips = sgn(run.kerf->offset) < 0;
-    const Side side = flips ? opposite(run.kerf->side) : run.kerf->side;
-    const BuiltContour built = build_equidistant(programmed, abs(run.kerf->offset), side, options_);
-    messages_.report(built, run.first);
-    if (!built.faults.empty() || built.moves.empty()) {
-      append(programmed, nullptr, is_first, run);  // nothing is written; the rest is checked
-      return;
-    }
-    append(programmed, &built, is_first, run);
+    KerfRun made{programmed, run.first, run.kerf, at_, std::nullopt};
+    if (is_first) made.rapid = rapid_under(*run.kerf, run.first);
+    if (made.rapid) made.at = out_.moves.back().from;
+    KerfEquidistant equidistant(options_, messages_);
+    const auto built =
+        lead_ == KerfLead::Moved ? equidistant.moved(made) : equidistant.led(made, lead_);
+    // With a fault nothing is written; the rest is checked.
+    append(made.programmed, built ? &*built : nullptr, is_first, run);
+  }
+
+  /// The rapid before a run, if it is the first that travels under its kerf.
+  std::optional<Move> rapid_under(const KerfSwitch& kerf, std::size_t first) const {
+    if (first == 0 || moves_[first - 1].kind != MoveKind::Rapid || kerf.move >= first)
+      return std::nullopt;
+    for (std::size_t i = kerf.move; i + 1 < first; ++i)
+      if (moves_[i].travels()) return std::nullopt;
+    if (moves_[first - 1].from == moves_[first - 1].to) return std::nullopt;
+    return moves_[first - 1];
   }
 
   /// The run behind what there is, joined to it.
@@ -215,8 +231,9 @@ class KerfPath {
   }
 
   NcProgram& program_;
+  const KerfLead lead_;
   const std::vector<Move>& moves_;
-  const ContourOptions& options_;
+  ContourOptions options_;
   DiagnosticBag& bag_;
   KerfMessages messages_;
   std::size_t next_switch_ = 0;
@@ -227,8 +244,8 @@ class KerfPath {
 }  // namespace
 
 Toolpath with_kerf(const SourceFile& file, NcProgram program, const ContourOptions& options,
-                   DiagnosticBag& bag) {
-  if (!program.kerf.empty()) return KerfPath(file, program, options, bag).run();
+                   DiagnosticBag& bag, KerfLead lead) {
+  if (!program.kerf.empty()) return KerfPath(file, program, options, bag, lead).run();
   program.path.contours = contours_of(program.path.moves);
   return std::move(program.path);
 }

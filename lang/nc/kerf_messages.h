@@ -18,6 +18,7 @@ class KerfMessages {
   void report(Message message, std::size_t move, std::vector<std::string> arguments = {});
 
   [[nodiscard]] Range block_of(std::size_t move) const;
+  [[nodiscard]] std::string text_of(std::size_t move) const;
 
  private:
   void report(const ContourFault& fault, std::size_t first);
@@ -26,7 +27,6 @@ class KerfMessages {
   /// Of two blocks, a measure and where the tool is.
   [[nodiscard]] Diagnostic at_place(Message message, std::size_t move, std::size_t other,
                                     double measure, double x, double y) const;
-  [[nodiscard]] std::string text_of(std::size_t move) const;
   void add(Diagnostic diagnostic, std::size_t move);
 
   const SourceFile& file_;

@@ -12,6 +12,14 @@
 /// What the readers of NC programs share: options, and what a program comes to.
 namespace dgt {
 
+/// How the tool comes from its programmed place to its offset.
+enum class KerfLead : std::uint8_t {
+  Moved,  ///< it does not: all that is cut with the kerf is moved, and the rapid leads to where
+          ///< that begins
+  Meets,  ///< on the first cut, which is straight, to where its offset and the next cut's meet
+  Beside  ///< likewise, to beside where the next cut begins
+};
+
 struct NcOptions {
   /// The two radii of an arc about a centre may differ by at most this, in mm. The default is the
   /// step of the coarsest controls: what its grid can make of an arc, and no more.
@@ -20,6 +28,7 @@ struct NcOptions {
   bool repair = false;
   /// How wide the tool cuts, in mm; a kerf without a value of its own is offset by half of it.
   Rational kerf_width;
+  KerfLead kerf_lead = KerfLead::Moved;
   std::uint64_t max_moves = 10'000'000;
   /// Executed, those of subprograms counted as they run.
   std::uint64_t max_blocks = 10'000'000;
@@ -65,6 +74,7 @@ struct NcProgram {
   std::vector<SubprogramRun> runs;  ///< in the order in which they ended
   SourcePlace placed_by;            ///< what told where the program starts; line 0: nothing
   ArcSummary arcs;
+  Rational step;  ///< of the grid that its numbers lie on, mm; 0: not known
 };
 
 }  // namespace dgt

@@ -154,38 +154,110 @@ TEST(ControlMessages, ADialectWithoutWordsForIt) {
                         "--compensation computed [DGT0812]"));
 }
 
-TEST(ControlMessages, TheStraightCutBeforeTheContour) {
+TEST(ControlMessages, TheStraightMoveBeforeTheContour) {
   const Dialect& linuxcnc = *find_dialect("linuxcnc");
-  EXPECT_THAT(
-      told_by_control(plate("4.9999", "X20 Y-5", "P1 L1 L-2 L-3 L4 L1 P1"), linuxcnc),
-      HasSubstr("error: the straight cut before the contour is 5 mm long; the control needs "
-                "more than its offset of 5 mm [DGT0814]"));
-  EXPECT_THAT(
-      told_by_control(plate("0.2", "X20 Y-5", "P1 G0 L1 L-2 L-3 L4 L1 P1"), linuxcnc),
-      HasSubstr("error: the control comes to its offset on a straight cut before the contour, "
-                "and there is none; begin with a point beside the first element "
-                "[DGT0813]"));
+  const Dialect& fanuc = *find_dialect("fanuc-wire");
+  const std::string too_long = plate("4.9999", "X20 Y-5", "P1 L1 L-2 L-3 L4 L1 P1");
+  EXPECT_THAT(told_by_control(too_long, fanuc),
+              HasSubstr("error: the straight move before the contour is 5 mm long; for the control "
+                        "to come to its offset there, it has to be longer than 5 mm; begin farther "
+                        "away [DGT0814]"));
+  const std::string half = plate("2.5", "X20 Y-5", "P1 L1 L-2 L-3 L4 L1 P1");
+  EXPECT_THAT(told_by_control(half, fanuc), IsEmpty());
+  EXPECT_THAT(told_by_control(half, linuxcnc),
+              HasSubstr("it has to be longer than 5 mm; begin farther away [DGT0814]"));
+  EXPECT_THAT(told_by_control(half, linuxcnc, Language::Russian),
+              HasSubstr("прямой подход к контуру длиной 5 мм; чтобы станок вышел на нём на "
+                        "эквидистанту, нужно больше 5 мм; начните дальше от контура [DGT0814]"));
+  const std::string rapid = plate("0.2", "X20 Y-5", "P1 G0 L1 L-2 L-3 L4 L1 P1");
+  EXPECT_THAT(told_by_control(rapid, linuxcnc), IsEmpty());
+  // A boss smaller than the tool: no lead comes by it at the offset and meets it.
+  const std::string boss = "C1=X0 Y0 R0.1\nP1=X0 Y-9\nG54 X0 Y-9\nF100\nK1 W0.2 P1 C1 P1\n";
+  EXPECT_THAT(told_by_control(boss, fanuc), IsEmpty());
+  EXPECT_THAT(told_by_control(boss, linuxcnc),
+              HasSubstr("error: no straight move from there brings the control to its offset where "
+                        "the contour begins; begin farther from the contour, along the normal of "
+                        "its first element [DGT0817]"));
+  // Nothing leads to a contour that begins where the tool stands.
+  Toolpath path;
+  Contour& contour = path.contours.emplace_back();
+  contour.side = Side::Left;
+  contour.offset = 1;
+  path.moves.resize(1);
+  contour.last = 1;
+  Dialect dialect = linuxcnc;
+  dialect.compensation = Compensation::Control;
+  const WriteResult written = write(path, dialect);
+  ASSERT_EQ(written.faults.size(), 1u);
+  EXPECT_EQ(written.faults[0].kind, WriteFault::Kind::LeadLacking);
+  const auto made = compile_bytes("part.bgt", "", {});
+  EXPECT_THAT(render(explain(written, dialect, made)),
+              HasSubstr("error: the control comes to its offset on a straight move before the "
+                        "contour, and there is none; begin with a point beside the first element "
+                        "[DGT0813]"));
 }
 
 TEST(ControlMessages, WhatAControlWouldCutWrong) {
   const Dialect& linuxcnc = *find_dialect("linuxcnc");
+  EXPECT_THAT(told_by_control(plate("0.2", "X20 Y-5", "P1 L1 L-2 L-3 L4 U0.3 L1 P1"), linuxcnc),
+              HasSubstr("error: the offset changes within the contour, and the control has one for "
+                        "all of it; write this with '--compensation computed' [DGT0815]"));
   EXPECT_THAT(
-      told_by_control(plate("0.2", "X20 Y-5", "P1 L1 L-2 L-3 L4 U0.3 L1 P1"), linuxcnc),
-      HasSubstr("error: the offset changes within the contour; the control has one for all of it "
-                "[DGT0815]"));
-  const std::string window =
-      "L1=Y0\nL2=X40\nL3=Y30\nL4=X0\nG54 X20 Y15\nF100\nK1 W0.2 L1 L-2 L-3 L4 L1 L-2\n";
-  EXPECT_THAT(
-      told_by_control(window, linuxcnc),
-      HasSubstr("error: the contour begins in an inside corner, and offset by the control the tool "
-                "would cut into the part there; begin between the ends of an element [DGT0816]"));
-  const std::string disc = "C1=X0 Y0 R5\nP1=X0 Y-9\nG54 X0 Y-9\nF100\nK1 W0.2 P1 C1 P1\n";
-  EXPECT_THAT(
-      told_by_control(disc, linuxcnc),
+      told_by_control(plate("0.2", "X20 Y-5", "P1 L1 X50 Y-5 X50 Y5 L-2 L-3 L4 L1 P1"), linuxcnc),
       HasSubstr(
-          "error: the control comes to the contour 0.201 mm behind its beginning; to cut that "
-          "at the end, the contour has to be closed and its first element a longer line "
-          "[DGT0817]"));
+          "error: within the contour the tool goes straight from point to point, where W does "
+          "not move it and the control would; write this with '--compensation computed' "
+          "[DGT0818]"));
+  EXPECT_THAT(told_by_control(plate("0.2", "X20 Y-5", "P1 L1 L2 L-3 L4 L1 P1"), linuxcnc),
+              HasSubstr("error: the contour runs against one of its elements, where the tool is on "
+                        "the other side, and the control has one side for all of it; turn that "
+                        "element round, or write this with '--compensation computed' [DGT0821]"));
+}
+
+TEST(ControlMessages, WhatTheEquidistantLeavesOut) {
+  SourceSettings settings;
+  settings.evaluate.gouge = GougePolicy::Trim;
+  Dialect dialect = *find_dialect("linuxcnc");
+  dialect.compensation = Compensation::Control;
+  const auto made = compile_bytes(
+      "part.bgt",
+      "L1=Y0\nL2=X19.5\nL3=Y-4\nL4=X20.5\nL5=X40\nL6=Y-20\nL7=X0\nP1=X10 Y5\nG54 X10 Y5\nF100\n"
+      "K1 W0.6 P1 L1 L2 L3 L-4 L1 L5 L6 L-7 L1 P1\n",
+      settings);
+  ASSERT_FALSE(made.bag.has_errors()) << render(made.bag);
+  EXPECT_THAT(
+      render(explain(write(*made.result.path, dialect), dialect, made)),
+      HasSubstr("error: the offset leaves out elements of the contour, and the control would "
+                "cut into the part there; write this with '--compensation computed' "
+                "[DGT0819]"));
+}
+
+TEST(ControlMessages, WhatDependsOnTheControl) {
+  Dialect essi = *find_dialect("essi");
+  const std::string window =
+      "L1=Y0\nL2=X40\nL3=Y30\nL4=X0\nP1=X20 Y15\nG54 X20 Y15\nK1 W0.2 L1 L-2 L-3 L4 L1 L-2\n";
+  EXPECT_THAT(
+      told_by_control(window, essi),
+      HasSubstr("error: the contour begins in a corner, and some controls would cut into the "
+                "part on the way to their offset there; begin between the ends of an "
+                "element, or say 'kerf.entry' in the dialect essi [DGT0816]"));
+  const std::string open = plate("0.2", "X20 Y-5", "P1 L1 L-2 X45 Y35");
+  EXPECT_THAT(told_by_control(open, essi),
+              HasSubstr("error: the contour is open, and where controls begin with their offset "
+                        "differs; say 'kerf.entry' in the dialect essi, or write this with "
+                        "'--compensation computed' [DGT0820]"));
+  for (const KerfEntry entry : {KerfEntry::Meets, KerfEntry::Beside}) {
+    essi.kerf.entry = entry;
+    EXPECT_THAT(told_by_control(open, essi), ::testing::Not(HasSubstr("error")));
+    EXPECT_THAT(told_by_control(window, essi), ::testing::Not(HasSubstr("error")));
+  }
+  const std::string two =
+      plate("0.2", "X20 Y-5", "P1 L1 L-2 L-3 L4 L1 P1") + "K2 W0.3 P1 L1 L-2 L-3 L4 L1 P1\n";
+  EXPECT_THAT(told_by_control(two, *find_dialect("linuxcnc")), ::testing::Not(HasSubstr("error")));
+  EXPECT_THAT(told_by_control(two, essi),
+              HasSubstr("error: this contour has another offset than the one before, and a control "
+                        "that reads essi takes one from its settings for all; give them one W, or "
+                        "write this with '--compensation computed' [DGT0822]"));
 }
 
 TEST(WriterMessages, PointIntoTheMacroThatAskedForIt) {

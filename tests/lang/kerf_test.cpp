@@ -17,7 +17,8 @@ using ::testing::SizeIs;
 /// A program from memory, read with its kerf.
 class Read {
  public:
-  Read(const char* name, std::string_view text, const char* kerf) : file_(name, text) {
+  Read(const char* name, std::string_view text, const char* kerf, KerfLead lead = KerfLead::Moved)
+      : file_(name, text) {
     const Rational width = *parse_decimal(kerf);
     NcProgram program;
     if (file_.name().ends_with(".ess")) {
@@ -29,7 +30,8 @@ class Read {
       options.nc.kerf_width = width;
       program = read_gcode(file_, options, bag_);
     }
-    if (!bag_.has_errors()) path = with_kerf(file_, std::move(program), ContourOptions{}, bag_);
+    if (!bag_.has_errors())
+      path = with_kerf(file_, std::move(program), ContourOptions{}, bag_, lead);
   }
   [[nodiscard]] std::string messages() const { return render(bag_); }
   /// The printed form without the places in the source.
@@ -183,6 +185,121 @@ TEST(Kerf, ADiameterBehindTheWordIsHalved) {
   const Read read("t.nc", "G91\nG41.1 D4\nG01 X5\n", "0");
   ASSERT_THAT(read.path.contours, SizeIs(1));
   EXPECT_EQ(read.path.contours[0].offset, 2);
+}
+
+// --- led by the first move
+
+/// A corner of 90° between a lead of 5 and a cut of 10, the tool on its inner side.
+constexpr const char* kLed = "G43 X1\nG00 X0 Y5\nG41\nG01 X0 Y0\nG01 X10\nG01 Y10\nG40\nG01 X0\n";
+
+TEST(KerfLead, WhereTheOffsetsMeet) {
+  const Read read("t.nc", kLed, "0", KerfLead::Meets);
+  EXPECT_EQ(read.messages(), "");
+  EXPECT_EQ(read.moves(),
+            "start X0.000000 Y5.000000\n"
+            "contour 1 offset 1 side left open\n"
+            "1 line X1.000000 Y1.000000 lead-in\n"
+            "2 line X9.000000 Y1.000000 contour\n"
+            "3 line X9.000000 Y10.000000 contour\n"
+            "contour 2 offset 0 side none open\n"
+            "4 line X0.000000 Y10.000000 contour\n");
+}
+
+TEST(KerfLead, BesideTheBeginning) {
+  const Read read("t.nc", kLed, "0", KerfLead::Beside);
+  EXPECT_EQ(read.messages(), "");
+  EXPECT_EQ(read.moves(),
+            "start X0.000000 Y5.000000\n"
+            "contour 1 offset 1 side left open\n"
+            "1 line X0.000000 Y1.000000 lead-in\n"
+            "2 line X9.000000 Y1.000000 contour\n"
+            "3 line X9.000000 Y10.000000 contour\n"
+            "contour 2 offset 0 side none open\n"
+            "4 line X0.000000 Y10.000000 contour\n");
+}
+
+TEST(KerfLead, ARapidUnderTheKerfLeadsToo) {
+  const char* const rapid =
+      "G43 X1\nG00 X0 Y5\nG41\nG00 X0 Y0\nM07\nG01 X10\nG01 Y10\nG40\nM08\nG00 X0\n";
+  const std::string start = "start X0.000000 Y5.000000\n";
+  const std::string cuts =
+      "2 code M7\n"
+      "contour 1 offset 1 side left open\n"
+      "3 line X9.000000 Y1.000000 contour\n"
+      "4 line X9.000000 Y10.000000 contour\n"
+      "5 code M8\n"
+      "6 rapid X0.000000 Y10.000000 position\n";
+  EXPECT_EQ(Read("t.nc", rapid, "0", KerfLead::Meets).moves(),
+            start + "1 rapid X1.000000 Y1.000000 position\n" + cuts);
+  EXPECT_EQ(Read("t.nc", rapid, "0", KerfLead::Beside).moves(),
+            start + "1 rapid X0.000000 Y1.000000 position\n" + cuts);
+}
+
+TEST(KerfLead, ACircleIsMetWhereItIs) {
+  const Read read("t.nc", "G43 X1\nG00 X0 Y-15\nG42\nG01 X0 Y-10\nG03 J10\nG40\nG01 Y-15\n", "0",
+                  KerfLead::Meets);
+  EXPECT_EQ(read.messages(), "");
+  // As LinuxCNC 2.9 meets it: X1.0000 Y-10.9545.
+  EXPECT_THAT(read.moves(), ::testing::HasSubstr("1 line X1.000000 Y-10.954451 lead-in\n"));
+  EXPECT_THAT(read.moves(), ::testing::HasSubstr("line X0.000000 Y-15.000000"));
+}
+
+TEST(KerfLead, HasToBeStraightAndLongerThanTheOffset) {
+  const auto told = [](const char* text) {
+    return Read("t.nc", text, "0", KerfLead::Beside).messages();
+  };
+  EXPECT_EQ(
+      told("G91\nG43 X1\nG41\nG03 X3 Y3 J3\nG01 Y5\n"),
+      "t.nc:4:1: error: the control comes to its offset on the first move behind G41, G42, 29 "
+      "or 30, and that has to be straight [DGT1407]\n"
+      "G03 X3 Y3 J3\n"
+      "^~~~~~~~~~~~\n");
+  EXPECT_EQ(
+      told("G91\nG43 X1\nG41\nG01 X1\nG01 Y5\n"),
+      "t.nc:4:1: error: the control comes to its offset on this move; it is 1 mm long and has "
+      "to be longer than the offset of 1 mm [DGT1408]\n"
+      "G01 X1\n"
+      "^~~~~~\n");
+  EXPECT_EQ(
+      told("G91\nG43 X1\nG41\nG01 X5\n"),
+      "t.nc:4:1: error: on this move the control comes to its offset, and nothing is cut with "
+      "it behind [DGT1409]\n"
+      "G01 X5\n"
+      "^~~~~~\n");
+}
+
+// --- leads of runs that do not close
+
+/// A hole begun in its middle, whose ring stays open by less than the kerf.
+constexpr const char* kOpenRing =
+    "G91\nG43 X3\nG41\nG01 X10\nG03 X-10 Y10 I-10\nG03 X-10 Y-10 J-10\n"
+    "G03 X10 Y-10 I10\nG03 X9.6 Y7.2 J10\nG40\nG00 X-1\n";
+
+TEST(Kerf, TheToolThatComesBackMayCutTheLead) {
+  const Read read("t.nc", kOpenRing, "0");
+  EXPECT_EQ(
+      read.messages(),
+      "t.nc:4:1: warning: 'G01 X10' is taken for a lead: the tool cuts into it later, from its "
+      "far side; nothing is left of it [DGT1410]\n"
+      "G01 X10\n"
+      "^~~~~~~\n");
+  ASSERT_FALSE(read.path.contours.empty());
+  EXPECT_EQ(read.path.contours[0].programmed->at(0).role, Role::LeadIn);
+  EXPECT_EQ(read.path.contours[0].programmed->at(1).role, Role::Contour);
+}
+
+TEST(Kerf, ASlotTooNarrowIsNoLead) {
+  const Read read("t.nc", "G91\nG43 X1\nG41\nG01 Y-10\nG03 X1.5 I0.75\nG01 Y10\n", "0");
+  EXPECT_THAT(read.messages(), ::testing::HasSubstr("error: "));
+}
+
+TEST(Kerf, RoundingOfTheProgramIsNoGouge) {
+  // Closed but for a thousandth, which the tool is then nearer to its beginning.
+  const char* const text =
+      "G90\nG43 X1\nG41\nG01 X9.5\nG01 Y{}\nG01 X-10\nG01 Y0.001\nG01 X3\nG40\n";
+  std::string coarse = text;
+  coarse.replace(coarse.find("{}"), 2, "10.000");
+  EXPECT_EQ(Read("t.nc", coarse, "0").messages(), "");
 }
 
 }  // namespace

@@ -186,9 +186,9 @@ class Reading:
             written = path_walk.WrittenLine(self.at, call.end)
         self.mismatch = max(self.mismatch, written.mismatch)
         if move["kind"] == "rapid":
-            self.rapid += written.length
+            self.rapid += math.hypot(written.length, call.height - self.height)
         else:
-            self.cut += written.length
+            self.cut += math.hypot(written.length, call.height - self.height)
             self.cut_tolerance += self.certified * (2 + written.sweep)
         return call, written
 

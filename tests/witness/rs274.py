@@ -50,7 +50,7 @@ kActions = {
     "OPTIONAL_PROGRAM_STOP", "SET_FEED_RATE", *kMotions
 }
 kSilent = {"SET_FEED_REFERENCE", "ON_RESET", "COMMENT"}
-kAllZero = {"SET_G92_OFFSET", "SET_XY_ROTATION"}
+kAllZero = {"SET_G92_OFFSET", "SET_XY_ROTATION", "SET_FEED_MODE"}  # mode 0: per minute
 # Begins what the end of a program sets back.
 kEndBegins = "SET_G5X_OFFSET"
 

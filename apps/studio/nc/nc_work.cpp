@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/studio/nc/nc_work.h"
 
+#include "apps/driver/control_proof.h"
 #include "apps/driver/nc_files.h"
 #include "apps/driver/write_messages.h"
 
@@ -31,8 +32,9 @@ PartPtr read_nc(const NcProgramText& base, const std::string& name, const std::s
 }
 
 Certificate prove_nc(const Part& read, const Part& exact, const Settings& settings) {
-  return verify(read.compilation, exact.compilation, settings.dialect.name,
-                limits_of(settings.dialect));
+  return prove({read.name, read.compilation, read.settings.source},
+               {exact.name, exact.compilation, exact.settings.source}, settings.dialect,
+               limits_of(settings.dialect));
 }
 
 }  // namespace dgt::studio
