@@ -266,7 +266,7 @@ class EssiReader {
   NcProgram finish() {
     NcProgram program = path_.finish();
     program.runs = std::move(runs_);
-    program.step = unit_width_;
+    program.step = unit_.width();
     std::vector<Move>& moves = program.path.moves;
     if (!torch_was_on_) {
       const auto travels = [](const Move& move) { return move.travels(); };
