@@ -40,6 +40,10 @@ struct EdgeInDoubles {
   bool counter_clockwise = true;
 };
 
+/// Exact edges are rational stand-ins: their normals lie within 2^−kStandInBits of the ideal ones.
+inline constexpr double kStandIn = 0x1p-95;
+static_assert(kStandInBits == 96);
+
 /// Sine of the angle between normals up to which a joint is tangent. Doubles that say a tangent
 /// joint are off by some 2⁻⁵⁰; corners that are meant are far above.
 inline constexpr double kTangent = 0x1p-40;
