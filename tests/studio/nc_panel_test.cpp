@@ -124,12 +124,12 @@ TEST(NcPanel, AMachineFileCountsAsForTheCommand) {
 
 TEST(NcPanel, CompensationByTheControlIsThatOfTheCommand) {
   OpenNc nc;
-  nc.write(part_of(corpus("kvad-square.bgt")), "linuxcnc");
+  nc.write(part_of(corpus("1P.bgt")), "linuxcnc");
   auto* const box = nc.panel.findChild<QComboBox*>(QStringLiteral("compensation"));
   QTest::keyClick(box, Qt::Key_Down);
   nc.settle();
   const auto run = support::run_dgt(
-      {"compile", corpus("kvad-square.bgt"), "--post", "linuxcnc", "--compensation", "control"});
+      {"compile", corpus("1P.bgt"), "--post", "linuxcnc", "--compensation", "control"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nc.panel.program().toStdString(), run.out);
 }
