@@ -20,27 +20,31 @@ constexpr mpfr_prec_t kMeasureBits = 128;
 void sweep_radians(mpfr_ptr out, const Circle& circle, const Point& from, const Point& to) {
   const double cx = nearest_double(circle.centre().x);
   const double cy = nearest_double(circle.centre().y);
-  MpfrFloat begin(kMeasureBits);
-  MpfrFloat dx(kMeasureBits);
-  MpfrFloat dy(kMeasureBits);
-  const auto angle = [&](mpfr_ptr result, const Point& p) {
-    mpfr_set_d(dx, p.x(), MPFR_RNDN);
-    mpfr_sub_d(dx, dx, cx, MPFR_RNDN);
-    mpfr_set_d(dy, p.y(), MPFR_RNDN);
-    mpfr_sub_d(dy, dy, cy, MPFR_RNDN);
-    mpfr_atan2(result, dy, dx, MPFR_RNDN);
+  const auto off = [](mpfr_ptr result, double at, double centre) {
+    mpfr_set_d(result, at, MPFR_RNDN);
+    mpfr_sub_d(result, result, centre, MPFR_RNDN);
   };
-  angle(begin, from);
-  angle(out, to);
-  mpfr_sub(out, out, begin, MPFR_RNDN);
+  MpfrFloat ux(kMeasureBits);
+  MpfrFloat uy(kMeasureBits);
+  MpfrFloat vx(kMeasureBits);
+  MpfrFloat vy(kMeasureBits);
+  off(ux, from.x(), cx);
+  off(uy, from.y(), cy);
+  off(vx, to.x(), cx);
+  off(vy, to.y(), cy);
+  MpfrFloat across(kMeasureBits);
+  MpfrFloat along(kMeasureBits);
+  mpfr_fmms(across, ux, vy, uy, vx, MPFR_RNDN);
+  mpfr_fmma(along, ux, vx, uy, vy, MPFR_RNDN);
+  mpfr_atan2(out, across, along, MPFR_RNDN);
   const bool ccw = circle.counter_clockwise();
   if ((ccw && mpfr_sgn(out) < 0) || (!ccw && mpfr_sgn(out) > 0)) {
-    mpfr_const_pi(begin, MPFR_RNDN);
-    mpfr_mul_ui(begin, begin, 2, MPFR_RNDN);
+    mpfr_const_pi(along, MPFR_RNDN);
+    mpfr_mul_ui(along, along, 2, MPFR_RNDN);
     if (ccw)
-      mpfr_add(out, out, begin, MPFR_RNDN);
+      mpfr_add(out, out, along, MPFR_RNDN);
     else
-      mpfr_sub(out, out, begin, MPFR_RNDN);
+      mpfr_sub(out, out, along, MPFR_RNDN);
   }
 }
 
