@@ -206,5 +206,46 @@ TEST(ControlProof, OfAClosedContourHoldsForBothKinds) {
   }
 }
 
+/// What begins in a corner of the part is right for controls that meet the offset there; others
+/// would cut into the part on their way, and the proof for them does not hold.
+TEST(ControlProof, OfAContourFromACornerFailsWhereNobodyKnowsTheControl) {
+  int proved = 0;
+  for (const Program& program : programs()) {
+    const auto reason = kUnknown.find(program.name);
+    if (reason == kUnknown.end() || reason->second != Kind::BeginsInCorner) continue;
+    Settings settings = settings_for("linuxcnc", offset_of(program.made));
+    const std::string text = write(*program.made.result.path, settings.dialect).text;
+    EXPECT_TRUE(proof_of(program, text, settings).holds()) << program.name;
+    settings.dialect.kerf.entry = KerfEntry::Either;
+    EXPECT_FALSE(proof_of(program, text, settings).holds()) << program.name;
+    ++proved;
+  }
+  EXPECT_EQ(proved, 4);
+}
+
+Program program_of(const std::string& text) {
+  return {"t", "t.bgt", compile_bytes("t.bgt", text, SourceSettings{})};
+}
+
+/// A plate from its outer corner: a control that meets the offset comes in a little before it. That
+/// is right for others where nothing stands in the way.
+TEST(ControlProof, OfAPlateFromItsCornerHoldsUnlessAPartStandsInTheWay) {
+  const std::string plate =
+      "'@ offset-side right\nL1=Y0\nL2=X40\nL3=Y30\nL4=X0\nC1=X40.3 Y-0.8 R0.3\nP1=X50 Y-5\n"
+      "G54 X45 Y15\nK1 W0.2 L1 L-2 L-3 L4 L1 L-2\n";
+  const auto holds = [](const Program& program, KerfEntry entry) {
+    Settings settings = settings_for("linuxcnc", offset_of(program.made));
+    const std::string text = write(*program.made.result.path, settings.dialect).text;
+    settings.dialect.kerf.entry = entry;
+    return proof_of(program, text, settings).holds();
+  };
+  const Program alone = program_of(plate);
+  EXPECT_TRUE(holds(alone, KerfEntry::Meets));
+  EXPECT_TRUE(holds(alone, KerfEntry::Either));
+  const Program crowded = program_of(plate + "K2 G0 P1 C1 P1\n");
+  EXPECT_TRUE(holds(crowded, KerfEntry::Meets));
+  EXPECT_FALSE(holds(crowded, KerfEntry::Either));
+}
+
 }  // namespace
 }  // namespace dgt
