@@ -293,6 +293,16 @@ TEST(Kerf, ASlotTooNarrowIsNoLead) {
   EXPECT_THAT(read.messages(), ::testing::HasSubstr("error: "));
 }
 
+TEST(Kerf, ACutInTheMiddleOfARunIsNoLead) {
+  // It comes back under its third cut, and the tool grazes that from its far side.
+  const Read read("t.nc",
+                  "G91\nG43 X0.6\nG41\nG01 X10\nG01 Y10\nG01 X10\nG01 Y5\nG01 X5\nG01 Y-10\n"
+                  "G01 X-12\nG01 Y4.2\nG01 X5\nG01 Y-3\n",
+                  "0");
+  EXPECT_THAT(read.messages(), ::testing::HasSubstr("t.nc:12:1: error: "));
+  EXPECT_THAT(read.messages(), ::testing::Not(::testing::HasSubstr("taken for a lead")));
+}
+
 TEST(Kerf, RoundingOfTheProgramIsNoGouge) {
   // Closed but for a thousandth, which the tool is then nearer to its beginning.
   const char* const text =
